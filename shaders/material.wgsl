@@ -1,0 +1,57 @@
+// What a surface does with light.
+
+/// The value of `fresnel` that leaves reflectivity alone.
+const NO_FRESNEL: f32 = -1.0;
+
+struct Material {
+    /// Diffuse color, linear RGB.
+    color: vec3f,
+    specular: f32,
+    /// Light of its own, linear RGB.
+    emission: vec3f,
+    /// Blinn-Phong exponent.
+    shininess: f32,
+    /// Share of light that is mirrored, head on.
+    reflectivity: f32,
+    /// Exponent by which the mirrored share grows towards grazing angles, or NO_FRESNEL.
+    fresnel: f32,
+    /// Share of what is not mirrored that passes through.
+    transmission: f32,
+    /// Index of refraction inside; outside it is 1.
+    ior: f32,
+}
+
+/// Matte: what a material is where the author says nothing else.
+fn matte(color: vec3f) -> Material {
+    return Material(color, 0.0, vec3f(0.0), 50.0, 0.0, NO_FRESNEL, 0.0, 1.5);
+}
+
+/// The mirrored share of light that arrives at `cosine` from the normal.
+fn mirrored(material: Material, cosine: f32) -> f32 {
+    let r = material.reflectivity;
+    if material.fresnel < 0.0 {
+        return r;
+    }
+    return r + (1.0 - r) * pow(max(1.0 - cosine, 0.0), material.fresnel);
+}
+
+/// The direction in which a ray goes on through the surface by Snell's law; the mirrored one under
+/// total internal reflection. `normal` faces the ray, `ratio` is the index before over the one behind.
+fn refracted(direction: vec3f, normal: vec3f, ratio: f32) -> vec3f {
+    let cosine = -dot(direction, normal);
+    let k = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
+    if k < 0.0 {
+        return reflect(direction, normal);
+    }
+    return ratio * direction + (ratio * cosine - sqrt(k)) * normal;
+}
+
+/// Brightness of a linear color (Rec. 709).
+fn luminance(color: vec3f) -> f32 {
+    return dot(color, vec3f(0.2126, 0.7152, 0.0722));
+}
+
+/// How far `x` has come from `low` to `high`, 0 to 1; a step where they are equal.
+fn rampStep(low: f32, high: f32, x: f32) -> f32 {
+    return select(step(high, x), clamp((x - low) / (high - low), 0.0, 1.0), high > low);
+}

@@ -1,0 +1,71 @@
+// Light at a surface: Blinn-Phong from each light that the surface sees.
+
+/// A branch of the ray tree that would add less than this share of the picture is cut.
+const MIN_WEIGHT: f32 = 1.0 / 512.0;
+
+/// Offset of new rays from the surface, as a share of the numbers that were added up to find it.
+const SPAWN_ERROR: f32 = 1e-5;
+
+/// Different in each pixel and each sample of it.
+var<private> seed: u32;
+
+/// What a surface sends towards a viewer, mirrors and glass aside.
+struct Shade {
+    light: vec3f,
+    /// Unblocked share of the lights that the surface faces, 0 to 1.
+    visibility: f32,
+}
+
+/// An integer hash (PCG; Jarzynski and Olano, Hash Functions for GPU Rendering, 2020).
+fn hashed(x: u32) -> u32 {
+    let state = x * 747796405u + 2891336453u;
+    let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
+}
+
+/// A point off the surface on the side that `normal` shows, so that a ray from it does not meet it again.
+fn spawnPoint(p: vec3f, normal: vec3f, t: f32) -> vec3f {
+    let size = max(max(abs(p.x), abs(p.y)), max(abs(p.z), t));
+    return p + SPAWN_ERROR * size * normal;
+}
+
+/// The share of `light` that reaches `origin`.
+fn visibleShare(light: Light, origin: vec3f) -> f32 {
+    let sized = dot(light.u, light.u) > 0.0;
+    let rays = frame.shadow_samples + zero;
+    let n = select(min(rays, 1u), rays, sized);
+    if n == 0u {
+        return 1.0;
+    }
+    let turn = vec2f(f32(seed & 0xffffu), f32(seed >> 16u)) / 65536.0;
+    var open = 0.0;
+    for (var i = 0u; i < n; i++) {
+        // The R2 sequence, turned by another amount in each pixel
+        // (Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018).
+        let place = fract(turn + f32(i) * vec2f(0.7548776662, 0.5698402910));
+        let ray = Ray(origin, 0.0, towards(light, place), light.reach);
+        open += select(1.0, 0.0, sceneBlocks(ray));
+    }
+    return open / f32(n);
+}
+
+/// The light that `material` at world point `p` sends along `v`. `n` faces the viewer.
+fn shade(p: vec3f, origin: vec3f, n: vec3f, v: vec3f, material: Material) -> Shade {
+    var sum = material.emission + ambientLight() * material.color;
+    var visible = 0.0;
+    var facing = 0.0;
+    for (var i = 0u; i < LIGHTS; i++) {
+        let light = lightAt(i, p);
+        let l = normalize(light.to);
+        let cosine = dot(n, l);
+        if cosine > 0.0 && max(max(light.arriving.x, light.arriving.y), light.arriving.z) > 0.0 {
+            let share = visibleShare(light, origin);
+            let h = normalize(l + v);
+            let highlight = material.specular * pow(max(dot(n, h), 0.0), material.shininess);
+            sum += share * light.arriving * (material.color * cosine + highlight);
+            visible += share;
+            facing += 1.0;
+        }
+    }
+    return Shade(sum, visible / max(facing, 1.0));
+}

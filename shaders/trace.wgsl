@@ -1,0 +1,102 @@
+// The tree of rays that a pixel sends, walked in a loop: mirrors first, glass waits on a small stack.
+
+/// The most rays that a pixel may send. Weights alone bound the tree; this bounds it for the driver too.
+const MAX_RAYS: u32 = 1024u;
+
+/// A ray still to be followed.
+struct Branch {
+    origin: vec3f,
+    /// Share of the picture that it carries.
+    weight: f32,
+    /// Length 1.
+    direction: vec3f,
+    /// Width of the pixel where the ray starts.
+    width: f32,
+    depth: u32,
+}
+
+/// What a pixel sees: its light, and for the debug views what its first ray met.
+struct Seen {
+    radiance: vec3f,
+    /// Along the first ray, scene units; negative where it leaves the scene.
+    depth: f32,
+    object: u32,
+    placed: Placed,
+    /// The surface's color without any light.
+    albedo: vec3f,
+    visibility: f32,
+    /// Depth of the deepest ray.
+    bounces: u32,
+}
+
+/// Follows a ray of length 1 from `origin` and all that it splits into.
+fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
+    let nowhere = placed(surface(vec3f(0.0), vec3f(0.0), vec2f(0.0)));
+    var seen = Seen(vec3f(0.0), -1.0, NO_OBJECT, nowhere, vec3f(0.0), 0.0, 0u);
+    var waiting: array<Branch, MAX_WAITING>;
+    var waits = 0u;
+    var branch = Branch(origin, 1.0, direction, 0.0, 0u);
+    for (var rays = 0u; rays < MAX_RAYS; rays++) {
+        let hit = rayTraceScene(Ray(branch.origin, 0.0, branch.direction, NO_HIT));
+        let depth = branch.depth;
+        seen.bounces = max(seen.bounces, depth);
+        var follows = false;
+        if hit.object == NO_OBJECT {
+            seen.radiance += branch.weight * background(branch.direction);
+        } else {
+            let p = branch.origin + hit.t * branch.direction;
+            let v = -branch.direction;
+            let width = branch.width + frame.pixel_spread * hit.t;
+            var met = surfaceAt(hit.object, p);
+            let inside = dot(met.normal, v) < 0.0;
+            met.at.footprint = width * met.scale / max(abs(dot(met.normal, v)), 0.02);
+            let facing = select(met.normal, -met.normal, inside);
+            var n = normalAt(hit.object, met);
+            n = select(n, -n, dot(n, v) < 0.0);
+            let material = materialAt(hit.object, met.at);
+            let outside = spawnPoint(p, facing, hit.t);
+            let shaded = shade(p, outside, n, v, material);
+            if depth == 0u {
+                seen.depth = hit.t;
+                seen.object = hit.object;
+                seen.placed = met;
+                seen.placed.normal = n;
+                seen.albedo = material.color;
+                seen.visibility = shaded.visibility;
+            }
+
+            let mirror = mirrored(material, clamp(dot(n, v), 0.0, 1.0));
+            let stays = branch.weight * (1.0 - mirror);
+            seen.radiance += stays * (1.0 - material.transmission) * shaded.light;
+            let deeper = depth < frame.max_bounces + zero;
+            let reflection = branch.weight * mirror;
+            let next = Branch(outside, reflection, reflect(branch.direction, n), width, depth + 1u);
+            follows = deeper && reflection >= MIN_WEIGHT;
+            let refraction = stays * material.transmission;
+            if TRANSMITS && deeper && refraction >= MIN_WEIGHT {
+                let ratio = select(1.0 / material.ior, material.ior, inside);
+                let through = refracted(branch.direction, n, ratio);
+                let start = spawnPoint(p, select(-facing, facing, dot(through, facing) > 0.0), hit.t);
+                let beyond = Branch(start, refraction, through, width, depth + 1u);
+                if follows {
+                    waiting[waits] = beyond;
+                    waits++;
+                } else {
+                    branch = beyond;
+                }
+            }
+            if follows {
+                branch = next;
+            }
+            follows = follows || (TRANSMITS && deeper && refraction >= MIN_WEIGHT);
+        }
+        if !follows {
+            if waits == 0u {
+                break;
+            }
+            waits--;
+            branch = waiting[waits];
+        }
+    }
+    return seen;
+}

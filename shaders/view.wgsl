@@ -1,0 +1,40 @@
+// What the picture shows: the light, or one of the values behind it. Numbered as View in gpu/frame.rs.
+
+const VIEW_COLOR: u32 = 0u;
+const VIEW_NORMAL: u32 = 1u;
+const VIEW_DEPTH: u32 = 2u;
+const VIEW_POSITION: u32 = 3u;
+const VIEW_UV: u32 = 4u;
+const VIEW_OBJECT: u32 = 5u;
+const VIEW_MATERIAL: u32 = 6u;
+const VIEW_BOUNCES: u32 = 7u;
+const VIEW_SHADOW: u32 = 8u;
+
+/// A color for each number, far from its neighbours' in hue (steps of the golden angle).
+fn falseColor(index: u32) -> vec3f {
+    let hue = fract(f32(index) * 0.61803399 + 0.05) * 6.0;
+    let wheel = clamp(abs(vec3f(hue) - vec3f(3.0, 2.0, 4.0)) * vec3f(1.0, -1.0, -1.0)
+        + vec3f(-1.0, 2.0, 2.0), vec3f(0.0), vec3f(1.0));
+    return mix(vec3f(0.35), wheel, 0.75);
+}
+
+/// The picture's value of the chosen view: a color, and with VIEW_OBJECT the object's index, else the depth.
+fn viewed(seen: Seen) -> vec4f {
+    let at = seen.placed.at;
+    let met = select(0.0, 1.0, seen.object != NO_OBJECT);
+    switch frame.view + zero {
+        case VIEW_NORMAL: { return vec4f(met * (0.5 + 0.5 * seen.placed.normal), seen.depth); }
+        case VIEW_DEPTH: { return vec4f(vec3f(met / (1.0 + 0.1 * max(seen.depth, 0.0))), seen.depth); }
+        case VIEW_POSITION: { return vec4f(met * fract(at.world), seen.depth); }
+        case VIEW_UV: { return vec4f(met * vec3f(fract(at.uv), 0.0), seen.depth); }
+        case VIEW_OBJECT: {
+            return vec4f(met * falseColor(seen.object), select(-1.0, f32(seen.object), met > 0.0));
+        }
+        case VIEW_MATERIAL: { return vec4f(met * seen.albedo, seen.depth); }
+        case VIEW_BOUNCES: {
+            return vec4f(vec3f(f32(seen.bounces) / f32(max(frame.max_bounces, 1u))), seen.depth);
+        }
+        case VIEW_SHADOW: { return vec4f(vec3f(met * seen.visibility), seen.depth); }
+        default: { return vec4f(seen.radiance, seen.depth); }
+    }
+}

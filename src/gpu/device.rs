@@ -1,0 +1,183 @@
+//! An adapter and its device, and a count of what is made on it.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::Duration;
+
+/// A device with its queue. Clones share both.
+#[derive(Clone, Debug)]
+pub struct Gpu {
+    pub adapter: wgpu::Adapter,
+    pub device: wgpu::Device,
+    pub queue: wgpu::Queue,
+    made: Arc<AtomicU32>,
+}
+
+/// Which of the machine's adapters to take.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub enum AdapterChoice {
+    /// The fastest, or what `WGPU_ADAPTER_NAME` names.
+    #[default]
+    Fastest,
+    /// One that runs on the processor: the same pictures on every machine.
+    Software,
+    /// The first whose name contains this, in any case.
+    Named(String),
+}
+
+/// Why something on the GPU did not work.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum GpuError {
+    /// There is no adapter of the wanted kind; what to do about it.
+    NoAdapter(String),
+    /// The driver refused, or the scene needs more than it has.
+    Refused(String),
+    /// The device is gone or does not answer.
+    Lost(String),
+}
+
+impl std::fmt::Display for GpuError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            GpuError::NoAdapter(advice) => write!(f, "no GPU and no software driver was found\n{advice}"),
+            GpuError::Refused(why) => write!(f, "the GPU's driver refuses: {why}"),
+            GpuError::Lost(why) => write!(f, "the GPU does not answer: {why}"),
+        }
+    }
+}
+
+impl std::error::Error for GpuError {}
+
+/// A device that has not answered for this long will not.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+impl Gpu {
+    /// A device without a window.
+    pub fn headless(choice: &AdapterChoice) -> Result<Self, GpuError> {
+        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+        descriptor.backends = wgpu::Backends::PRIMARY;
+        let instance = wgpu::Instance::new(descriptor.with_env());
+        Self::open(&instance, choice, None)
+    }
+
+    /// A device that can draw on `surface`, if there is one.
+    pub fn open(
+        instance: &wgpu::Instance,
+        choice: &AdapterChoice,
+        surface: Option<&wgpu::Surface<'_>>,
+    ) -> Result<Self, GpuError> {
+        let adapter = pollster::block_on(find_adapter(instance, choice, surface))
+            .ok_or_else(|| GpuError::NoAdapter(advice(choice)))?;
+        // A headless picture may be as large as the adapter's textures.
+        let limits = adapter.limits();
+        let required_limits = wgpu::Limits {
+            max_texture_dimension_2d: limits.max_texture_dimension_2d,
+            max_uniform_buffer_binding_size: limits.max_uniform_buffer_binding_size,
+            ..wgpu::Limits::downlevel_webgl2_defaults().using_resolution(limits)
+        };
+        let descriptor = wgpu::DeviceDescriptor { required_limits, ..Default::default() };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+            .map_err(|error| GpuError::Refused(error.to_string()))?;
+        // Errors are caught in scopes; one that slips through must not end the program.
+        device.on_uncaptured_error(Arc::new(|error: wgpu::Error| eprintln!("raytoy: GPU error: {error}")));
+        Ok(Self { adapter, device, queue, made: Arc::default() })
+    }
+
+    /// Whether the adapter is the processor itself.
+    pub fn is_software(&self) -> bool {
+        self.adapter.get_info().device_type == wgpu::DeviceType::Cpu
+    }
+
+    /// "llvmpipe (LLVM 15.0.6, 256 bits), Vulkan"
+    pub fn describe(&self) -> String {
+        let info = self.adapter.get_info();
+        format!("{}, {}", info.name, info.backend)
+    }
+
+    /// How many scene shaders and pipelines were made on this device so far, one of each at a time.
+    pub fn pipelines_made(&self) -> u32 {
+        self.made.load(Ordering::Relaxed)
+    }
+
+    pub(super) fn count_pipeline(&self) {
+        self.made.fetch_add(1, Ordering::Relaxed);
+    }
+
+    /// Waits until all submitted work is done.
+    pub fn wait(&self) -> Result<(), GpuError> {
+        let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) };
+        self.device.poll(wait).map(drop).map_err(|error| GpuError::Lost(error.to_string()))
+    }
+
+    /// The bytes of a texture whose texels have `texel_bytes`, by rows from the top.
+    pub(super) fn read_texture(&self, texture: &wgpu::Texture, texel_bytes: u32) -> Result<Vec<u8>, GpuError> {
+        let (width, height) = (texture.width(), texture.height());
+        let row = width * texel_bytes;
+        let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("read back"),
+            size: u64::from(padded) * u64::from(height),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        let mut encoder = self.device.create_command_encoder(&Default::default());
+        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(padded), rows_per_image: None };
+        encoder.copy_texture_to_buffer(
+            texture.as_image_copy(),
+            wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },
+            texture.size(),
+        );
+        self.queue.submit([encoder.finish()]);
+        let (sender, receiver) = std::sync::mpsc::channel();
+        buffer.slice(..).map_async(wgpu::MapMode::Read, move |result| {
+            let _ = sender.send(result);
+        });
+        self.wait()?;
+        let lost = |why: String| GpuError::Lost(why);
+        let mapped = receiver.try_recv().map_err(|e| lost(e.to_string()))?;
+        mapped.map_err(|e| lost(e.to_string()))?;
+        let bytes = buffer.slice(..).get_mapped_range().map_err(|e| lost(e.to_string()))?;
+        let rows = bytes.chunks_exact(padded as usize);
+        Ok(rows.flat_map(|r| &r[..row as usize]).copied().collect())
+    }
+}
+
+async fn find_adapter(
+    instance: &wgpu::Instance,
+    choice: &AdapterChoice,
+    surface: Option<&wgpu::Surface<'_>>,
+) -> Option<wgpu::Adapter> {
+    let named = match choice {
+        AdapterChoice::Named(name) => Some(name.clone()),
+        AdapterChoice::Fastest => std::env::var("WGPU_ADAPTER_NAME").ok(),
+        AdapterChoice::Software => None,
+    };
+    if let Some(name) = named {
+        let all = instance.enumerate_adapters(wgpu::Backends::all()).await;
+        let fits = |a: &wgpu::Adapter| a.get_info().name.to_lowercase().contains(&name.to_lowercase());
+        let shows = |a: &wgpu::Adapter| surface.is_none_or(|s| a.is_surface_supported(s));
+        return all.into_iter().find(|a| fits(a) && shows(a));
+    }
+    let options = wgpu::RequestAdapterOptions {
+        power_preference: wgpu::PowerPreference::HighPerformance,
+        force_fallback_adapter: *choice == AdapterChoice::Software,
+        compatible_surface: surface,
+        ..Default::default()
+    };
+    instance.request_adapter(&options).await.ok()
+}
+
+fn advice(choice: &AdapterChoice) -> String {
+    let install = if cfg!(target_os = "linux") {
+        "install a Vulkan driver; Mesa's software driver runs everywhere:\n  \
+         Debian, Ubuntu  apt install mesa-vulkan-drivers\n  \
+         Fedora          dnf install mesa-vulkan-drivers vulkan-loader\n  \
+         Arch            pacman -S vulkan-swrast vulkan-icd-loader"
+    } else {
+        "update the driver of the graphics card"
+    };
+    match choice {
+        AdapterChoice::Named(name) => format!("none is called `{name}`; leave out --adapter, or {install}"),
+        _ => install.to_owned(),
+    }
+}

@@ -1,0 +1,202 @@
+//! From gathered light to what a screen shows: the second, small pass.
+
+use bytemuck::{Pod, Zeroable};
+
+use super::{Gpu, GpuError, View};
+use crate::ir;
+use crate::library::built_in;
+
+/// The pass of shaders/display.wgsl, for targets of one format.
+#[derive(Debug)]
+pub struct Display {
+    gpu: Gpu,
+    pipeline: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
+    options: wgpu::Buffer,
+}
+
+/// Where on a target the picture goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Target {
+    /// Top left, pixels of the target.
+    pub corner: [f32; 2],
+    /// Pixels of the target to one of the picture.
+    pub zoom: f32,
+}
+
+/// `Display` of shaders/display.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct Options {
+    gain: f32,
+    tone_map: u32,
+    transfer: u32,
+    gamma: f32,
+    corner: [f32; 2],
+    zoom: f32,
+    is_light: u32,
+}
+
+impl Display {
+    pub fn new(gpu: &Gpu, format: wgpu::TextureFormat) -> Self {
+        let text = built_in("shaders/display.wgsl").expect("it ships with raytoy");
+        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("shaders/display.wgsl"),
+            source: wgpu::ShaderSource::Wgsl(text.into()),
+        });
+        let uniform = wgpu::BindGroupLayoutEntry {
+            binding: 0,
+            visibility: wgpu::ShaderStages::FRAGMENT,
+            ty: wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Uniform,
+                has_dynamic_offset: false,
+                min_binding_size: wgpu::BufferSize::new(size_of::<Options>() as u64),
+            },
+            count: None,
+        };
+        let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("display"),
+            entries: &[uniform, texture_entry(1)],
+        });
+        let pipeline = full_screen_pipeline(&gpu.device, &module, &layout, ["coverTarget", "showPixel"], format);
+        let options = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("display"),
+            size: size_of::<Options>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        Self { gpu: gpu.clone(), pipeline, layout, options }
+    }
+
+    /// Draws all of `target` with `picture`, which shows `view`.
+    pub fn draw(
+        &self,
+        picture: &wgpu::Texture,
+        view: View,
+        render: &ir::Render,
+        target: &wgpu::TextureView,
+        place: Target,
+    ) {
+        let (transfer, gamma) = match render.transfer {
+            ir::Transfer::Linear => (0, 1.0),
+            ir::Transfer::Srgb => (1, 1.0),
+            ir::Transfer::Gamma(gamma) => (2, gamma),
+        };
+        let options = Options {
+            gain: render.gain,
+            tone_map: render.tone_map as u32,
+            transfer,
+            gamma,
+            corner: place.corner,
+            zoom: place.zoom,
+            is_light: u32::from(view == View::Color),
+        };
+        let Gpu { device, queue, .. } = &self.gpu;
+        queue.write_buffer(&self.options, 0, bytemuck::bytes_of(&options));
+        let picture = picture.create_view(&Default::default());
+        let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("display"),
+            layout: &self.layout,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: self.options.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&picture) },
+            ],
+        });
+        let mut encoder = device.create_command_encoder(&Default::default());
+        {
+            let mut pass = begin_pass(&mut encoder, target, wgpu::LoadOp::Clear(wgpu::Color::BLACK));
+            pass.set_pipeline(&self.pipeline);
+            pass.set_bind_group(0, &bindings, &[]);
+            pass.draw(0..3, 0..1);
+        }
+        queue.submit([encoder.finish()]);
+    }
+
+    /// A texture of the size of `picture` to draw on, which can be shown, and read by [`Display::read`].
+    pub fn canvas(&self, picture: &wgpu::Texture, format: wgpu::TextureFormat) -> wgpu::Texture {
+        self.gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("canvas"),
+            size: picture.size(),
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        })
+    }
+
+    /// The four bytes of each pixel of `canvas`, by rows from the top.
+    pub fn read(&self, canvas: &wgpu::Texture) -> Result<Vec<u8>, GpuError> {
+        self.gpu.read_texture(canvas, 4)
+    }
+}
+
+/// A texture that shaders read texel by texel.
+pub(super) fn texture_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty: wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Float { filterable: false },
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        },
+        count: None,
+    }
+}
+
+/// A pipeline of one triangle that covers its target.
+pub(super) fn full_screen_pipeline(
+    device: &wgpu::Device,
+    module: &wgpu::ShaderModule,
+    layout: &wgpu::BindGroupLayout,
+    [vertex, fragment]: [&str; 2],
+    format: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: None,
+        bind_group_layouts: &[Some(layout)],
+        immediate_size: 0,
+    });
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(fragment),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some(vertex),
+            compilation_options: Default::default(),
+            buffers: &[],
+        },
+        primitive: Default::default(),
+        depth_stencil: None,
+        multisample: Default::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some(fragment),
+            compilation_options: Default::default(),
+            targets: &[Some(format.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+/// A pass over one target.
+pub(super) fn begin_pass<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    target: &wgpu::TextureView,
+    load: wgpu::LoadOp<wgpu::Color>,
+) -> wgpu::RenderPass<'a> {
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view: target,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
+        })],
+        ..Default::default()
+    })
+}

@@ -1,0 +1,17 @@
+//! The GPU: a device, a scene's pipeline, a picture that gathers samples, and what a screen shows of it.
+//!
+//! In: [`crate::Compiled`]. Out: pixels. The only room that knows wgpu, the window's surface aside.
+
+mod device;
+mod display;
+mod image;
+mod pipeline;
+mod tracer;
+mod uniforms;
+
+pub use device::{AdapterChoice, Gpu, GpuError};
+pub use display::{Display, Target};
+pub use image::{Picture, render};
+pub use pipeline::Pipeline;
+pub use tracer::Tracer;
+pub use uniforms::{Moment, View, sample_offset};

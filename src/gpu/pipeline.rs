@@ -1,0 +1,91 @@
+//! A scene's shader as a pipeline, and the buffer of its numbers.
+
+use std::borrow::Cow;
+
+use super::{Gpu, GpuError};
+use crate::Compiled;
+use crate::wgsl::Mode;
+
+/// The texture that a picture gathers in: linear light, and depth.
+pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+
+/// A scene, compiled by the driver. One whose text stays the same takes new numbers.
+#[derive(Debug)]
+pub struct Pipeline {
+    pub(super) pipeline: wgpu::RenderPipeline,
+    pub(super) layout: wgpu::BindGroupLayout,
+    pub(super) numbers: Option<wgpu::Buffer>,
+}
+
+impl Pipeline {
+    /// Makes one shader module and one pipeline.
+    ///
+    /// # Errors
+    /// Where the driver refuses, or the scene has more numbers than the GPU's uniform buffers hold.
+    pub fn build(gpu: &Gpu, compiled: &Compiled) -> Result<Self, GpuError> {
+        let bytes = size_of_val(compiled.source.numbers.as_slice()) as u64;
+        let most = gpu.device.limits().max_uniform_buffer_binding_size;
+        if bytes > most {
+            let why = format!(
+                "the scene has {bytes} bytes of numbers, and the GPU takes {most} at once; \
+                 leave out --live, or some of its objects"
+            );
+            return Err(GpuError::Refused(why));
+        }
+        // Scopes belong to a thread, so they stand on the one that makes the pipeline.
+        crate::on_deep_stack(|| {
+            let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
+            let internal = gpu.device.push_error_scope(wgpu::ErrorFilter::Internal);
+            let built = make(gpu, compiled);
+            let errors = [pollster::block_on(internal.pop()), pollster::block_on(scope.pop())];
+            match errors.into_iter().flatten().next() {
+                None => Ok(built),
+                Some(error) => Err(GpuError::Refused(error.to_string())),
+            }
+        })
+    }
+
+    /// Replaces the scene's numbers by those of a scene with the same text.
+    pub fn upload(&self, gpu: &Gpu, numbers: &[f32]) {
+        if let Some(buffer) = &self.numbers {
+            gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(numbers));
+        }
+    }
+}
+
+fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
+    let device = &gpu.device;
+    gpu.count_pipeline();
+    let checks = wgpu::ShaderRuntimeChecks { force_loop_bounding: std::env::var("LB").is_err(), bounds_checks: std::env::var("BC").is_err(), ..wgpu::ShaderRuntimeChecks::checked() };
+    let module = unsafe { device.create_shader_module_trusted(wgpu::ShaderModuleDescriptor {
+        label: Some(&compiled.scene.name),
+        source: wgpu::ShaderSource::Naga(Cow::Owned(compiled.module.naga().clone())),
+    }, checks) };
+    let uniform = |binding, size| wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: wgpu::BufferSize::new(size),
+        },
+        count: None,
+    };
+    let mut entries = vec![uniform(0, size_of::<super::uniforms::Frame>() as u64), super::display::texture_entry(1)];
+    let numbers = (compiled.source.mode == Mode::Live).then(|| {
+        let size = size_of_val(compiled.source.numbers.as_slice()) as u64;
+        entries.push(uniform(2, size));
+        device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("numbers"),
+            size,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        })
+    });
+    let layout =
+        device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("scene"), entries: &entries });
+    let pipeline = super::display::full_screen_pipeline(device, &module, &layout, ["coverPicture", "tracePixel"], FORMAT);
+    let built = Pipeline { pipeline, layout, numbers };
+    built.upload(gpu, &compiled.source.numbers);
+    built
+}

@@ -1,0 +1,111 @@
+//! A picture that gathers samples, drawn in slices so that no submit keeps the GPU for long.
+
+use std::ops::Range;
+
+use super::pipeline::FORMAT;
+use super::uniforms::Frame;
+use super::{Gpu, GpuError, Moment, Pipeline};
+use crate::ir;
+
+/// Two textures, of which one holds the samples so far and the other takes the next.
+#[derive(Debug)]
+pub struct Tracer {
+    gpu: Gpu,
+    frame: wgpu::Buffer,
+    textures: [wgpu::Texture; 2],
+    samples: u32,
+}
+
+impl Tracer {
+    /// # Errors
+    /// Where the GPU has no texture of `size`.
+    pub fn new(gpu: &Gpu, size: [u32; 2]) -> Result<Self, GpuError> {
+        let most = gpu.device.limits().max_texture_dimension_2d;
+        if size.iter().any(|n| *n > most || *n == 0) {
+            let why = format!("a picture of {}x{}; its pictures go from 1x1 to {most}x{most}", size[0], size[1]);
+            return Err(GpuError::Refused(why));
+        }
+        let frame = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("frame"),
+            size: size_of::<Frame>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let texture = |label| {
+            gpu.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some(label),
+                size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: wgpu::TextureDimension::D2,
+                format: FORMAT,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+                    | wgpu::TextureUsages::TEXTURE_BINDING
+                    | wgpu::TextureUsages::COPY_SRC,
+                view_formats: &[],
+            })
+        };
+        Ok(Self { gpu: gpu.clone(), frame, textures: [texture("even samples"), texture("odd samples")], samples: 0 })
+    }
+
+    pub fn size(&self) -> [u32; 2] {
+        [self.textures[0].width(), self.textures[0].height()]
+    }
+
+    /// Forgets all samples.
+    pub fn restart(&mut self) {
+        self.samples = 0;
+    }
+
+    /// How many samples each pixel holds.
+    pub fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// The samples so far: linear light with the depth of the first, which is negative where it met nothing.
+    pub fn picture(&self) -> &wgpu::Texture {
+        &self.textures[(self.samples as usize + 1) % 2]
+    }
+
+    /// Draws rows of the next sample. Once all rows are drawn, [`Tracer::next`] makes it count.
+    pub fn draw(
+        &mut self,
+        pipeline: &Pipeline,
+        moment: &Moment,
+        render: &ir::Render,
+        jitter: [f32; 2],
+        rows: Range<u32>,
+    ) {
+        let Gpu { device, queue, .. } = &self.gpu;
+        let frame = Frame::new(moment, render, self.size(), self.samples, jitter);
+        queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&frame));
+        let target = &self.textures[self.samples as usize % 2];
+        let (before, target) = (self.picture().create_view(&Default::default()), target.create_view(&Default::default()));
+        let mut entries = vec![
+            wgpu::BindGroupEntry { binding: 0, resource: self.frame.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&before) },
+        ];
+        if let Some(numbers) = &pipeline.numbers {
+            entries.push(wgpu::BindGroupEntry { binding: 2, resource: numbers.as_entire_binding() });
+        }
+        let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("scene"),
+            layout: &pipeline.layout,
+            entries: &entries,
+        });
+        let mut encoder = device.create_command_encoder(&Default::default());
+        {
+            let mut pass = super::display::begin_pass(&mut encoder, &target, wgpu::LoadOp::Load);
+            pass.set_pipeline(&pipeline.pipeline);
+            pass.set_bind_group(0, &bindings, &[]);
+            pass.set_scissor_rect(0, rows.start, self.size()[0], rows.end - rows.start);
+            pass.draw(0..3, 0..1);
+        }
+        queue.submit([encoder.finish()]);
+    }
+
+    /// The sample that was drawn is complete.
+    pub fn next(&mut self) {
+        self.samples += 1;
+    }
+}

@@ -1,0 +1,120 @@
+//! What one picture differs by from the next, as the bytes that shaders/frame.wgsl declares.
+
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+
+use crate::ir;
+
+/// What a picture shows. The numbers are those of shaders/view.wgsl.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum View {
+    /// The light that reaches the camera.
+    #[default]
+    Color,
+    /// World normals, -1 to 1 shown as 0 to 1.
+    Normal,
+    /// Distance along the ray, nearer is brighter.
+    Depth,
+    /// World position, its fraction of a unit.
+    Position,
+    /// Surface coordinates, their fraction of a unit.
+    Uv,
+    /// One color for each object.
+    Object,
+    /// The surface's own color, without light.
+    Material,
+    /// Depth of the ray tree, white where it was cut.
+    Bounces,
+    /// Unblocked share of the lights.
+    Shadow,
+}
+
+impl View {
+    /// All of them, with the names by which they are asked for.
+    pub const ALL: [(&str, View); 9] = [
+        ("color", View::Color),
+        ("normal", View::Normal),
+        ("depth", View::Depth),
+        ("position", View::Position),
+        ("uv", View::Uv),
+        ("object", View::Object),
+        ("material", View::Material),
+        ("bounces", View::Bounces),
+        ("shadow", View::Shadow),
+    ];
+}
+
+/// The moment at which a picture is taken, and by which camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    pub camera: ir::Camera,
+    pub view: View,
+    /// Seconds.
+    pub time: f32,
+    /// Pixels from the top left.
+    pub mouse: [f32; 2],
+}
+
+impl Moment {
+    /// As the scene says, at its beginning.
+    pub fn of(scene: &ir::Scene) -> Self {
+        Self { camera: scene.camera, view: View::Color, time: 0.0, mouse: [0.0; 2] }
+    }
+}
+
+/// `Frame` of shaders/frame.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(super) struct Frame {
+    eye: [f32; 3],
+    time: f32,
+    right: [f32; 3],
+    pixel_spread: f32,
+    up: [f32; 3],
+    max_bounces: u32,
+    forward: [f32; 3],
+    shadow_samples: u32,
+    resolution: [f32; 2],
+    mouse: [f32; 2],
+    jitter: [f32; 2],
+    sample: u32,
+    view: u32,
+}
+
+impl Frame {
+    /// The camera rays of LANGUAGE.md: forward, right, true up.
+    pub fn new(moment: &Moment, render: &ir::Render, size: [u32; 2], sample: u32, jitter: [f32; 2]) -> Self {
+        let camera = moment.camera;
+        let forward = (camera.target - camera.eye).normalize_or(Vec3::NEG_Z);
+        let right = forward.cross(camera.up).normalize_or(Vec3::X);
+        let up = right.cross(forward);
+        let half = (camera.fov / 2.0).tan();
+        let resolution = size.map(|n| n as f32);
+        Self {
+            eye: camera.eye.into(),
+            time: moment.time,
+            right: (right * half).into(),
+            pixel_spread: if render.texture_filter { 2.0 * half / resolution[1] } else { 0.0 },
+            up: (up * half).into(),
+            max_bounces: render.max_bounces,
+            forward: forward.into(),
+            shadow_samples: if render.shadows { render.shadow_samples } else { 0 },
+            resolution,
+            mouse: moment.mouse,
+            jitter,
+            sample,
+            view: moment.view as u32,
+        }
+    }
+}
+
+/// Where sample `index` of `count` lies in its pixel, from the centre: one sample goes through the centre,
+/// more are spread by the R2 sequence and gathered by a tent two pixels wide.
+pub fn sample_offset(index: u32, count: u32) -> [f32; 2] {
+    if count == 1 {
+        return [0.0; 2];
+    }
+    let steps = [0.754_877_666_2, 0.569_840_290_998_f64];
+    let tent = |u: f64| if u < 0.5 { (2.0 * u).sqrt() - 1.0 } else { 1.0 - (2.0 - 2.0 * u).sqrt() };
+    steps.map(|step| tent((0.5 + f64::from(index) * step).fract()) as f32)
+}

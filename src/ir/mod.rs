@@ -1,0 +1,184 @@
+//! The resolved scene: plain numbers, no name unresolved, no NaN; radians, linear RGB, world space.
+//!
+//! In: what `resolve` makes of a [`crate::scene::Value`]. Out: what `wgsl` writes and `gpu` uploads.
+
+mod resolve;
+
+use std::sync::Arc;
+
+use glam::Vec3;
+
+pub use resolve::resolve;
+
+use crate::library::{Const, Function, Type};
+
+/// A whole scene, in the author's order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// The file's name, as messages use it.
+    pub name: String,
+    pub camera: Camera,
+    /// A color of the point that a ray's direction marks on the unit sphere.
+    pub background: Value,
+    pub ambient: Vec3,
+    pub lights: Vec<Light>,
+    pub textures: Vec<Texture>,
+    pub materials: Vec<Material>,
+    pub objects: Vec<Object>,
+    pub render: Render,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    pub eye: Vec3,
+    pub target: Vec3,
+    pub up: Vec3,
+    /// Vertical, radians.
+    pub fov: f32,
+}
+
+/// What a shader computes at a surface point.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    Const(Const),
+    Call(Call),
+    /// One of [`Scene::textures`].
+    Texture(usize),
+    Ramp(Box<Ramp>),
+    /// A number as a color.
+    Grey(Box<Value>),
+    /// A color as a number.
+    Luminance(Box<Value>),
+}
+
+/// A texture or mapping with its arguments.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Call {
+    pub function: Arc<Function>,
+    /// What moves the point first; all arguments are evaluated where the function itself is.
+    pub at: Option<Box<Call>>,
+    /// One for each parameter.
+    pub arguments: Vec<Value>,
+}
+
+/// Colors at places of a pattern, linear between them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ramp {
+    pub by: Value,
+    /// At least two, in ascending order.
+    pub stops: Vec<(f32, Value)>,
+}
+
+/// A texture with a name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Texture {
+    pub name: String,
+    pub ty: Type,
+    pub value: Value,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    pub name: String,
+    /// What the author has set, in the order of [`Property`].
+    pub properties: Vec<(Property, Value)>,
+    pub bump: Option<Bump>,
+}
+
+/// A field of WGSL's `Material`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Property {
+    Color,
+    Specular,
+    Shininess,
+    Reflectivity,
+    Fresnel,
+    Transmission,
+    Ior,
+    Emission,
+}
+
+/// A height over the surface, scene units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bump {
+    pub height: Value,
+    pub strength: f32,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    pub name: String,
+    /// The author's words, on one line.
+    pub caption: String,
+    pub shape: Arc<Function>,
+    /// One for each parameter.
+    pub arguments: Vec<Const>,
+    /// One of [`Scene::materials`].
+    pub material: usize,
+    /// The rows of the affine map from the world into the object's space.
+    pub space: Option<[[f32; 4]; 3]>,
+    /// Corners of a box in the object's space that holds all of it.
+    pub bounds: Option<(Vec3, Vec3)>,
+    pub visible: bool,
+    pub casts_shadow: bool,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Light {
+    /// The author's words, on one line.
+    pub caption: String,
+    pub kind: LightKind,
+    /// Color · intensity.
+    pub emitted: Vec3,
+    /// Weaker by the square of the distance.
+    pub inverse_square: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LightKind {
+    Point { position: Vec3, radius: f32 },
+    /// `spread` is the tangent of half the angle under which it is seen.
+    Directional { direction: Vec3, spread: f32 },
+    /// `inner` and `outer` are cosines.
+    Spot { position: Vec3, radius: f32, axis: Vec3, inner: f32, outer: f32 },
+    Rect { corner: Vec3, u: Vec3, v: Vec3 },
+}
+
+/// How the picture is made. All of it is data: none of it changes the shader.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Render {
+    pub max_bounces: u32,
+    pub shadows: bool,
+    pub shadow_samples: u32,
+    pub texture_filter: bool,
+    pub transfer: Transfer,
+    /// Factor of the light, from the author's stops.
+    pub gain: f32,
+    pub tone_map: ToneMap,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Transfer {
+    Linear,
+    Srgb,
+    Gamma(f32),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ToneMap {
+    Clamp,
+    Reinhard,
+    Aces,
+    Agx,
+}
+
+/// The most bounces that a scene may ask for: waiting branches lie in private memory, 44 bytes each.
+pub const MAX_BOUNCES: u32 = 20;
+
+impl Scene {
+    /// Whether any material lets light through.
+    pub fn transmits(&self) -> bool {
+        let properties = self.materials.iter().flat_map(|m| &m.properties);
+        properties.into_iter().any(|(property, _)| *property == Property::Transmission)
+    }
+}

@@ -1,0 +1,83 @@
+//! Lights.
+
+use glam::Vec3;
+
+use super::Resolver;
+use super::reader::Fields;
+use crate::diagnostic::Diagnostic;
+use crate::ir::{Light, LightKind};
+use crate::scene::{self, Kind, Record};
+
+const KINDS: [&str; 4] = ["Point", "Directional", "Spot", "Rect"];
+
+impl Resolver<'_> {
+    pub fn lights(&mut self, written: Option<&scene::Value>) -> Vec<Light> {
+        let Some(written) = written else { return vec![] };
+        let Kind::List(items) = &written.kind else {
+            self.mismatch(written, "a list of lights `[Point(position: (4, 6, 3))]`");
+            return vec![];
+        };
+        items.iter().filter_map(|item| self.light(item)).collect()
+    }
+
+    fn light(&mut self, written: &scene::Value) -> Option<Light> {
+        let Kind::Record(Record { name: Some(name), .. }) = &written.kind else {
+            self.mismatch(written, "a light such as `Point(position: (4, 6, 3))`");
+            return None;
+        };
+        if !KINDS.contains(&name.text.as_str()) {
+            let place = self.place(&name.span);
+            let problem = Diagnostic::error(format!("there is no light `{}`", name.text)).at(place, "");
+            self.push(problem.suggest(&name.text, KINDS));
+            return None;
+        }
+        let mut fields = Fields::of(self, written, &format!("`{}`", name.text));
+        let color = fields.get("color").map_or(Vec3::ONE, |color| self.constant_color(color));
+        let intensity = fields.number(self, "intensity", Some(1.0), 0.0, 1e6);
+        let kind = match name.text.as_str() {
+            "Point" => LightKind::Point {
+                position: fields.vector(self, "position", None),
+                radius: fields.number(self, "radius", Some(0.0), 0.0, 1e6),
+            },
+            "Directional" => LightKind::Directional {
+                direction: fields.direction(self, "direction", None),
+                spread: (fields.number(self, "angle_deg", Some(0.0), 0.0, 170.0).to_radians() / 2.0).tan(),
+            },
+            "Spot" => self.spot(&mut fields, written),
+            _ => LightKind::Rect {
+                corner: fields.vector(self, "corner", None),
+                u: fields.vector(self, "u", None),
+                v: fields.vector(self, "v", None),
+            },
+        };
+        let is_near = !matches!(kind, LightKind::Directional { .. });
+        let inverse_square = is_near && fields.get("falloff").is_some_and(|falloff| self.falloff(falloff));
+        fields.finish(self);
+        let caption = self.words(written, &[]);
+        Some(Light { caption, kind, emitted: color * intensity, inverse_square })
+    }
+
+    fn spot(&mut self, fields: &mut Fields<'_>, written: &scene::Value) -> LightKind {
+        let position = fields.vector(self, "position", None);
+        let target = fields.vector(self, "target", Some(Vec3::ZERO));
+        let half = fields.number(self, "cone_deg", Some(30.0), 0.01, 179.0).to_radians() / 2.0;
+        let blend = fields.number(self, "blend", Some(0.1), 0.0, 1.0);
+        let radius = fields.number(self, "radius", Some(0.0), 0.0, 1e6);
+        let axis = (target - position).try_normalize().unwrap_or_else(|| {
+            self.error(&written.span, "`position` and `target` are the same point");
+            Vec3::NEG_Y
+        });
+        LightKind::Spot { position, radius, axis, inner: (half * (1.0 - blend)).cos(), outer: half.cos() }
+    }
+
+    fn falloff(&mut self, written: &scene::Value) -> bool {
+        match &written.kind {
+            Kind::None => false,
+            Kind::Record(Record { name: Some(name), .. }) if name.text == "InverseSquare" => true,
+            _ => {
+                self.mismatch(written, "`None` or `InverseSquare`");
+                false
+            }
+        }
+    }
+}

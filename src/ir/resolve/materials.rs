@@ -1,0 +1,101 @@
+//! Materials, named and inline.
+
+use super::Resolver;
+use super::reader::Fields;
+use crate::diagnostic::Diagnostic;
+use crate::ir::{Bump, Material, Property};
+use crate::scene::{self, Kind, Record};
+
+/// Fields that take a texture, or a number in a range.
+const NUMBERS: [(&str, Property, (f32, f32)); 4] = [
+    ("specular", Property::Specular, (0.0, 1e3)),
+    ("shininess", Property::Shininess, (0.0, 1e5)),
+    ("reflectivity", Property::Reflectivity, (0.0, 1.0)),
+    ("transmission", Property::Transmission, (0.0, 1.0)),
+];
+
+impl<'a> Resolver<'a> {
+    /// What `materials:` declares.
+    pub fn resolve_materials(&mut self, written: Option<&'a scene::Value>) {
+        let Some(written) = written else { return };
+        let Kind::Map(entries) = &written.kind else {
+            self.mismatch(written, "a map `{ \"name\": (color: 0.8) }`");
+            return;
+        };
+        for (i, entry) in entries.iter().enumerate() {
+            if let Some(first) = entries[..i].iter().find(|e| e.name.text == entry.name.text) {
+                let message = format!("material \"{}\" is declared twice", entry.name.text);
+                let (here, there) = (self.place(&entry.name.span), self.place(&first.name.span));
+                self.push(Diagnostic::error(message).at(here, "again").at(there, "first"));
+                continue;
+            }
+            let index = self.inline_material(&entry.value, &entry.name.text);
+            self.named_materials.insert(entry.name.text.clone(), index);
+        }
+    }
+
+    /// The index of the material of an object called `object`.
+    pub fn material(&mut self, written: Option<&scene::Value>, object: &str) -> usize {
+        let Some(written) = written else {
+            self.materials.push(Material { name: object.to_owned(), properties: vec![], bump: None });
+            return self.materials.len() - 1;
+        };
+        let Kind::Text(name) = &written.kind else {
+            return self.inline_material(written, object);
+        };
+        if let Some(index) = self.named_materials.get(name) {
+            return *index;
+        }
+        let known: Vec<String> = self.named_materials.keys().cloned().collect();
+        let place = self.place(&written.span);
+        let problem = Diagnostic::error(format!("there is no material \"{name}\"")).at(place, "");
+        let mut problem = problem.suggest(name, known.iter().map(String::as_str));
+        if known.is_empty() {
+            problem.help.push("declare it: `materials: { \"name\": (color: 0.8) }`, or write `(color: …)` here".into());
+        }
+        self.push(problem);
+        0
+    }
+
+    fn inline_material(&mut self, written: &scene::Value, name: &str) -> usize {
+        if let Kind::Record(Record { name: Some(called), .. }) = &written.kind {
+            let advice = format!("a material is a group of fields: `(color: {}(…))`", called.text);
+            self.error(&called.span, format!("`{}` is not a material", called.text)).help.push(advice);
+            return 0;
+        }
+        let mut fields = Fields::of(self, written, "a material");
+        let mut properties = vec![];
+        if let Some(color) = fields.get("color") {
+            properties.push((Property::Color, self.color(color)));
+        }
+        for (field, property, range) in NUMBERS {
+            if let Some(value) = fields.get(field) {
+                properties.push((property, self.pattern(value, range)));
+            }
+        }
+        for (field, property, low, high) in
+            [("fresnel", Property::Fresnel, 0.0, 100.0), ("ior", Property::Ior, 0.01, 100.0)]
+        {
+            let given = fields.get(field).filter(|value| value.kind != Kind::None);
+            if let Some(x) = given.and_then(|value| self.number(value, Some((low, high)))) {
+                properties.push((property, crate::ir::Value::Const(crate::library::Const::F32(x))));
+            }
+        }
+        if let Some(emission) = fields.get("emission") {
+            properties.push((Property::Emission, self.color(emission)));
+        }
+        let bump = fields.get("bump").and_then(|bump| self.bump(bump));
+        fields.finish(self);
+        properties.sort_by_key(|(property, _)| *property);
+        self.materials.push(Material { name: name.to_owned(), properties, bump });
+        self.materials.len() - 1
+    }
+
+    fn bump(&mut self, written: &scene::Value) -> Option<Bump> {
+        let mut fields = Fields::of(self, written, "`bump`");
+        let height = fields.require(self, "height").map(|height| self.pattern(height, (-1e6, 1e6)));
+        let strength = fields.number(self, "strength", Some(0.1), -1e3, 1e3);
+        fields.finish(self);
+        Some(Bump { height: height?, strength })
+    }
+}

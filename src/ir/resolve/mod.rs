@@ -1,0 +1,156 @@
+//! From what the author wrote to a scene without open questions: the only file that refuses a scene.
+
+mod lights;
+mod materials;
+mod objects;
+mod options;
+mod reader;
+mod textures;
+mod values;
+
+use std::collections::BTreeMap;
+
+use glam::Vec3;
+
+use self::reader::Fields;
+use super::{Camera, Material, Scene, Texture, Value};
+use crate::diagnostic::{Diagnostic, Place, Severity};
+use crate::library::{Const, Library};
+use crate::scene;
+
+/// The scene that `root` describes, and warnings; `file` and `text` are where it was written.
+///
+/// # Errors
+/// Everything that is wrong with it, in the order of the text.
+pub fn resolve(
+    file: &str,
+    text: &str,
+    root: &scene::Value,
+    library: &Library<'_>,
+) -> Result<(Scene, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let mut resolver = Resolver::new(file, text, library);
+    let scene = resolver.scene(root);
+    let mut problems = resolver.problems;
+    problems.extend(library.take_warnings());
+    problems.sort_by_key(|p| {
+        p.labels.first().map(|(place, _)| (place.file != file, place.file.clone(), place.span.start))
+    });
+    problems.dedup();
+    let failed = problems.iter().any(|p| p.severity == Severity::Error);
+    if failed { Err(problems) } else { Ok((scene, problems)) }
+}
+
+/// What is known so far. A mistake adds a problem and leaves a stand-in, so that the next one is found too.
+struct Resolver<'a> {
+    file: &'a str,
+    text: &'a str,
+    library: &'a Library<'a>,
+    problems: Vec<Diagnostic>,
+    /// What `textures:` declares, by name.
+    declared: BTreeMap<&'a str, &'a scene::Value>,
+    /// Names of the textures that are being resolved, outermost first.
+    pending: Vec<String>,
+    textures: Vec<Texture>,
+    materials: Vec<Material>,
+    /// Indices of the materials that have a name.
+    named_materials: BTreeMap<String, usize>,
+}
+
+impl<'a> Resolver<'a> {
+    fn new(file: &'a str, text: &'a str, library: &'a Library<'a>) -> Self {
+        Self {
+            file,
+            text,
+            library,
+            problems: vec![],
+            declared: BTreeMap::new(),
+            pending: vec![],
+            textures: vec![],
+            materials: vec![],
+            named_materials: BTreeMap::new(),
+        }
+    }
+
+    fn place(&self, span: &std::ops::Range<usize>) -> Place {
+        Place { file: self.file.to_owned(), span: span.clone() }
+    }
+
+    /// An error at `span`, to which advice may be added.
+    fn error(&mut self, span: &std::ops::Range<usize>, message: impl Into<String>) -> &mut Diagnostic {
+        let place = self.place(span);
+        self.push(Diagnostic::error(message).at(place, ""))
+    }
+
+    fn push(&mut self, problem: Diagnostic) -> &mut Diagnostic {
+        self.problems.push(problem);
+        self.problems.last_mut().expect("it was just pushed")
+    }
+
+    fn scene(&mut self, root: &'a scene::Value) -> Scene {
+        let mut fields = Fields::of(self, root, "the scene");
+        let textures = fields.get("textures");
+        let materials = fields.get("materials");
+        let camera = fields.get("camera");
+        let background = fields.get("background");
+        let ambient = fields.get("ambient");
+        let lights = fields.get("lights");
+        let objects = fields.get("objects");
+        let render = fields.get("render");
+        fields.finish(self);
+
+        self.resolve_textures(textures);
+        self.resolve_materials(materials);
+        let camera = self.camera(camera);
+        let background = match background {
+            Some(value) => self.color(value),
+            None => Value::Const(Const::Vec3(Vec3::ZERO)),
+        };
+        let ambient = ambient.map_or(Vec3::splat(0.1), |value| self.constant_color(value));
+        let lights = self.lights(lights);
+        let objects = self.objects(objects, root);
+        let render = self.render(render);
+        Scene {
+            name: self.file.to_owned(),
+            camera,
+            background,
+            ambient,
+            lights,
+            textures: std::mem::take(&mut self.textures),
+            materials: std::mem::take(&mut self.materials),
+            objects,
+            render,
+        }
+    }
+
+    fn camera(&mut self, written: Option<&scene::Value>) -> Camera {
+        let default = Camera { eye: Vec3::new(6.0, 4.0, 9.0), target: Vec3::Y, up: Vec3::Y, fov: 40f32.to_radians() };
+        let Some(written) = written else { return default };
+        let mut fields = Fields::of(self, written, "`camera`");
+        let eye = fields.vector(self, "eye", Some(default.eye));
+        let target = fields.vector(self, "target", Some(default.target));
+        let up = fields.vector(self, "up", Some(default.up));
+        let fov = fields.number(self, "fov_deg", Some(40.0), 0.1, 179.0).to_radians();
+        fields.finish(self);
+        let forward = target - eye;
+        if forward.length() == 0.0 {
+            self.error(&written.span, "`eye` and `target` are the same point");
+        } else if forward.normalize().cross(up.normalize_or_zero()).length() < 1e-5 {
+            let problem = self.error(&written.span, "`up` points along the view");
+            problem.help.push("turn `up` away from `target` - `eye`: `up: (0, 0, 1)`".into());
+        }
+        Camera { eye, target, up, fov }
+    }
+
+    /// A group in the author's words, on one line, without comments and without the fields in `but`.
+    fn words(&self, value: &scene::Value, but: &[&str]) -> String {
+        let scene::Kind::Record(record) = &value.kind else { return String::new() };
+        let words = |span: &std::ops::Range<usize>| {
+            let lines = self.text[span.clone()].lines().map(|line| line.split("//").next().unwrap_or(line));
+            lines.flat_map(str::split_whitespace).collect::<Vec<_>>().join(" ").replace("( ", "(")
+        };
+        let kept = record.fields.iter().filter(|f| !but.contains(&f.name.text.as_str()));
+        let fields: Vec<String> = kept.map(|f| format!("{}: {}", f.name.text, words(&f.value.span))).collect();
+        let name = record.name.as_ref().map_or("", |n| n.text.as_str());
+        format!("{name}({})", fields.join(", "))
+    }
+}

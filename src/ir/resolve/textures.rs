@@ -1,0 +1,265 @@
+//! Values that vary over a surface: calls of textures and mappings, ramps, and names of them.
+
+use std::sync::Arc;
+
+use super::Resolver;
+use super::reader::Fields;
+use crate::diagnostic::Diagnostic;
+use crate::ir::{Call, Ramp, Texture, Value};
+use crate::library::{Const, Family, Function, Kind, Parameter, Type};
+use crate::scene::{self, Kind as Written, Record};
+
+/// The forms that are the generator's own.
+const RAMP: &str = "Ramp";
+
+impl<'a> Resolver<'a> {
+    /// What `textures:` declares, all of it, used or not.
+    pub fn resolve_textures(&mut self, written: Option<&'a scene::Value>) {
+        let Some(written) = written else { return };
+        let Written::Map(entries) = &written.kind else {
+            self.mismatch(written, "a map `{ \"name\": Texture() }`");
+            return;
+        };
+        for (i, entry) in entries.iter().enumerate() {
+            if let Some(first) = entries[..i].iter().find(|e| e.name.text == entry.name.text) {
+                let message = format!("texture \"{}\" is declared twice", entry.name.text);
+                let (here, there) = (self.place(&entry.name.span), self.place(&first.name.span));
+                self.push(Diagnostic::error(message).at(here, "again").at(there, "first"));
+            }
+            self.declared.insert(&entry.name.text, &entry.value);
+        }
+        for entry in entries {
+            self.declared_texture(&entry.name.text, &entry.name.span);
+        }
+    }
+
+    /// A color, or what becomes one.
+    pub fn color(&mut self, value: &scene::Value) -> Value {
+        self.varying(value, Type::Vec3, true, None)
+    }
+
+    /// A number, or what becomes one; constants inside `range`.
+    pub fn pattern(&mut self, value: &scene::Value, range: (f32, f32)) -> Value {
+        self.varying(value, Type::F32, false, Some(range))
+    }
+
+    fn varying(&mut self, value: &scene::Value, want: Type, is_color: bool, range: Option<(f32, f32)>) -> Value {
+        let stand_in = Const::from_numbers(want, &vec![range.map_or(0.0, |r| r.0); want.size()]);
+        let stand_in = Value::Const(stand_in.expect("as many numbers as the type has"));
+        match &value.kind {
+            Written::Record(record) if record.name.is_some() => match self.texture(value, record) {
+                Some(texture) => self.fit(texture, want),
+                None => stand_in,
+            },
+            Written::Text(name) if self.declared.contains_key(name.as_str()) => {
+                let texture = self.declared_texture(name, &value.span);
+                texture.map_or(stand_in, |index| self.fit(Value::Texture(index), want))
+            }
+            Written::Text(text) if is_color || want == Type::F32 => match crate::library::parse_color(text) {
+                Some(color) => self.fit(Value::Const(Const::Vec3(color)), want),
+                None => {
+                    let declared: Vec<&str> = self.declared.keys().copied().collect();
+                    let message = format!("\"{text}\" is neither a color nor a declared texture");
+                    let place = self.place(&value.span);
+                    let mut problem = Diagnostic::error(message).at(place, "").suggest(text, declared);
+                    problem.help.push("colors are \"#rrggbb\", \"#rgb\" or a CSS name such as \"tomato\"".into());
+                    self.push(problem);
+                    stand_in
+                }
+            },
+            _ if is_color => match self.plain_color(value) {
+                Some(color) => Value::Const(Const::Vec3(color)),
+                None => {
+                    self.mismatch(value, "a color or a texture");
+                    stand_in
+                }
+            },
+            Written::Tuple(_) if want == Type::Vec3 => {
+                self.vector(value).map_or(stand_in, |v| Value::Const(Const::Vec3(v)))
+            }
+            _ if want == Type::F32 => {
+                if matches!(value.kind, Written::Number(_)) {
+                    self.number(value, range).map_or(stand_in, |x| Value::Const(Const::F32(x)))
+                } else {
+                    self.mismatch(value, "a number or a texture");
+                    stand_in
+                }
+            }
+            _ => {
+                self.mismatch(value, want.describe());
+                stand_in
+            }
+        }
+    }
+
+    /// `value` as a `want`: a pattern is a grey, a color its luminance.
+    fn fit(&self, value: Value, want: Type) -> Value {
+        match (self.type_of(&value), want) {
+            (Type::F32, Type::Vec3) => Value::Grey(Box::new(value)),
+            (Type::Vec3, Type::F32) => Value::Luminance(Box::new(value)),
+            _ => value,
+        }
+    }
+
+    fn type_of(&self, value: &Value) -> Type {
+        match value {
+            Value::Const(constant) => constant.ty(),
+            Value::Call(call) if call.function.kind == Kind::Pattern => Type::F32,
+            Value::Texture(index) => self.textures[*index].ty,
+            Value::Luminance(_) => Type::F32,
+            Value::Call(_) | Value::Ramp(_) | Value::Grey(_) => Type::Vec3,
+        }
+    }
+
+    /// The index of the texture declared as `name`, which `span` asks for.
+    fn declared_texture(&mut self, name: &str, span: &std::ops::Range<usize>) -> Option<usize> {
+        if let Some(known) = self.textures.iter().position(|t| t.name == name) {
+            return Some(known);
+        }
+        if let Some(from) = self.pending.iter().position(|p| p == name) {
+            let circle: Vec<String> = self.pending[from..].iter().chain([&name.to_owned()]).cloned().collect();
+            let message = format!("texture \"{name}\" is made of itself");
+            self.error(span, message).help.push(format!("the circle is {}", circle.join(" → ")));
+            return None;
+        }
+        let written = *self.declared.get(name)?;
+        self.pending.push(name.to_owned());
+        let value = match &written.kind {
+            Written::Record(record) if record.name.is_some() => self.texture(written, record),
+            // A texture may be another one's second name, or a color to be used in many places.
+            Written::Text(other) if self.declared.contains_key(other.as_str()) => {
+                self.declared_texture(other, &written.span).map(Value::Texture)
+            }
+            _ => Some(self.color(written)),
+        };
+        self.pending.pop();
+        let value = value?;
+        self.textures.push(Texture { name: name.to_owned(), ty: self.type_of(&value), value });
+        Some(self.textures.len() - 1)
+    }
+
+    /// What `Name(…)` computes.
+    fn texture(&mut self, value: &scene::Value, record: &Record) -> Option<Value> {
+        let name = record.name.as_ref().expect("the caller has looked");
+        if name.text == RAMP {
+            return self.ramp(value).map(|ramp| Value::Ramp(Box::new(ramp)));
+        }
+        let function = self.function(Family::Texture, name)?;
+        if function.kind == Kind::Mapping {
+            let message = format!("`{}` is a mapping: it moves a point and has no color", name.text);
+            let advice = format!("give it to a texture: `Noise(at: {}(…))`", name.text);
+            self.error(&name.span, message).help.push(advice);
+            return None;
+        }
+        self.call(function, value).map(Value::Call)
+    }
+
+    /// The function called `name`, or an error with the nearest known one.
+    pub fn function(&mut self, family: Family, name: &scene::Name) -> Option<Arc<Function>> {
+        match self.library.find(family, &name.text) {
+            Ok(function) => Some(function),
+            Err(Some(problems)) => {
+                self.problems.extend(problems);
+                None
+            }
+            Err(None) => {
+                let noun = family.noun();
+                let mut known = self.library.names(family);
+                if family == Family::Texture {
+                    known.push(RAMP.into());
+                }
+                let place = self.place(&name.span);
+                let problem = Diagnostic::error(format!("there is no {noun} `{}`", name.text)).at(place, "");
+                self.push(problem.suggest(&name.text, known.iter().map(String::as_str)));
+                None
+            }
+        }
+    }
+
+    fn call(&mut self, function: Arc<Function>, value: &scene::Value) -> Option<Call> {
+        let mut fields = Fields::of(self, value, &format!("`{}`", function.name));
+        let at = fields.get("at").map(|mapping| self.mapping(mapping));
+        let before = self.problems.len();
+        let mut arguments = vec![];
+        for parameter in &function.parameters {
+            let argument = match fields.get(&parameter.name) {
+                Some(given) => self.argument(parameter, given),
+                None => parameter.default.map(Value::Const),
+            };
+            if argument.is_none() && !fields.has(&parameter.name) {
+                self.error(&value.span, format!("`{}` needs `{}`", function.name, parameter.name));
+            }
+            arguments.extend(argument);
+        }
+        fields.finish(self);
+        let complete = arguments.len() == function.parameters.len() && self.problems.len() == before;
+        let at = match at {
+            Some(mapping) => Some(Box::new(mapping?)),
+            None => None,
+        };
+        complete.then_some(Call { function, at, arguments })
+    }
+
+    fn argument(&mut self, parameter: &Parameter, given: &scene::Value) -> Option<Value> {
+        let varies = match given.kind {
+            Written::Record(Record { name: Some(_), .. }) => parameter.choices.is_empty(),
+            Written::Text(_) => parameter.is_color || parameter.ty == Type::F32 || parameter.ty == Type::Vec3,
+            _ => parameter.is_color,
+        };
+        if !varies {
+            return self.constant(parameter, given).map(Value::Const);
+        }
+        if !matches!(parameter.ty, Type::F32 | Type::Vec3) {
+            self.mismatch(given, parameter.ty.describe());
+            return None;
+        }
+        Some(self.varying(given, parameter.ty, parameter.is_color, parameter.range))
+    }
+
+    fn mapping(&mut self, value: &scene::Value) -> Option<Call> {
+        let Written::Record(record @ Record { name: Some(name), .. }) = &value.kind else {
+            self.mismatch(value, "a mapping such as `Turbulence()`");
+            return None;
+        };
+        let function = if name.text == RAMP { None } else { Some(self.function(Family::Texture, name)?) };
+        match function.filter(|f| f.kind == Kind::Mapping) {
+            Some(function) => self.call(function, value),
+            None => {
+                let name = record.name.as_ref().map_or("", |n| &n.text);
+                self.error(&value.span, format!("`{name}` is a texture: `at` wants a mapping, which moves the point"));
+                None
+            }
+        }
+    }
+
+    fn ramp(&mut self, value: &scene::Value) -> Option<Ramp> {
+        let mut fields = Fields::of(self, value, "`Ramp`");
+        let by = fields.require(self, "by").map(|by| self.pattern(by, (-1e6, 1e6)));
+        let stops = fields.require(self, "stops");
+        fields.finish(self);
+        let stops = stops?;
+        let Written::List(items) = &stops.kind else {
+            self.mismatch(stops, "a list of stops `[(0.0, \"#000\"), (1.0, \"#fff\")]`");
+            return None;
+        };
+        let mut resolved: Vec<(f32, Value)> = vec![];
+        for item in items {
+            match &item.kind {
+                Written::Tuple(pair) if pair.len() == 2 => {
+                    let at = self.number(&pair[0], None)?;
+                    if resolved.last().is_some_and(|(before, _)| *before > at) {
+                        self.error(&pair[0].span, "stops go from low to high");
+                    }
+                    let color = self.color(&pair[1]);
+                    resolved.push((at, color));
+                }
+                _ => self.mismatch(item, "a stop `(0.5, \"tomato\")`"),
+            }
+        }
+        if resolved.len() < 2 {
+            self.error(&stops.span, "a ramp needs two stops or more");
+            return None;
+        }
+        Some(Ramp { by: by?, stops: resolved })
+    }
+}

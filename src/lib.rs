@@ -1,0 +1,134 @@
+//! raytoy: procedural, ray-traced scenes from RON to WGSL to a picture, live.
+//!
+//! A scene goes down the rooms of this crate, and a room knows only those above it:
+//!
+//! ```text
+//! RON text ─► scene::Value ─► ir::Scene ─► wgsl::Source ─► module::Module ─► gpu::Pipeline ─► gpu::Picture
+//!            parse           resolve      generate        validate          build            draw
+//! ```
+//!
+//! [`compile`] is the front door to all that needs no GPU:
+//!
+//! ```
+//! use raytoy::{compile, sources::Sources, wgsl::Mode};
+//!
+//! let sources = Sources::in_memory().with("ball.ron", "(objects: [Sphere(radius: 2)])");
+//! let outcome = compile(&sources, "ball.ron".as_ref(), Mode::Baked, None);
+//! assert!(outcome.compiled.unwrap().source.generated().contains("fn rayTraceScene"));
+//! ```
+
+pub mod diagnostic;
+pub mod sources;
+pub mod library;
+pub mod scene;
+pub mod ir;
+pub mod wgsl;
+pub mod module;
+pub mod gpu;
+//pub mod watch;
+//pub mod app;
+//pub mod cli;
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use diagnostic::{Diagnostic, Report};
+use library::Library;
+use module::Module;
+use sources::Sources;
+use wgsl::{Mode, Source};
+
+/// A scene that is ready for a GPU.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    pub scene: ir::Scene,
+    pub source: Source,
+    pub module: Module,
+    pub times: Times,
+}
+
+/// How long each stage took.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Times {
+    pub parse: Duration,
+    pub resolve: Duration,
+    pub generate: Duration,
+    /// Zero where the text had been validated before.
+    pub naga: Duration,
+}
+
+/// What came of a scene: [`Compiled`] unless the report has errors.
+#[derive(Debug)]
+pub struct Outcome {
+    pub compiled: Option<Compiled>,
+    pub report: Report,
+}
+
+/// Compiles the scene at `path`. Where its text comes out as `before`, naga is not asked again.
+pub fn compile(sources: &Sources, path: &Path, mode: Mode, before: Option<&Compiled>) -> Outcome {
+    on_deep_stack(|| {
+        let mut generated = None;
+        let (compiled, diagnostics) = match stages(sources, path, mode, before, &mut generated) {
+            Ok((compiled, warnings)) => (Some(compiled), warnings),
+            Err(problems) => (None, problems),
+        };
+        let mut texts = sources.texts();
+        // Text that no disk holds: what is built in, and the scene's own section.
+        for section in generated.iter().flat_map(|s: &Source| &s.sections) {
+            texts.entry(section.name.clone()).or_insert_with(|| section.text.to_string());
+        }
+        Outcome { compiled, report: Report { diagnostics, texts } }
+    })
+}
+
+fn stages(
+    sources: &Sources,
+    path: &Path,
+    mode: Mode,
+    before: Option<&Compiled>,
+    generated: &mut Option<Source>,
+) -> Result<(Compiled, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let name = sources.name(path);
+    let text = sources.text(path).map_err(|problem| vec![problem])?;
+    let mut clock = Clock(Instant::now());
+    let root = scene::parse(&name, &text)?;
+    let parse = clock.lap();
+    let library = Library::new(sources, path.parent().unwrap_or(Path::new("")));
+    let (scene, warnings) = ir::resolve(&name, &text, &root, &library)?;
+    let resolve = clock.lap();
+    let source = wgsl::generate(&scene, mode);
+    let generate = clock.lap();
+    let known = before.filter(|b| b.source.sections == source.sections).map(|b| b.module.clone());
+    let module = match known {
+        Some(module) => module,
+        None => module::validate(&source).map_err(|problem| {
+            *generated = Some(source.clone());
+            vec![problem]
+        })?,
+    };
+    let naga = clock.lap();
+    let times = Times { parse, resolve, generate, naga };
+    Ok((Compiled { scene, source, module, times }, warnings))
+}
+
+/// Runs `work` on a thread whose stack holds the recursion of naga and of the RON parser.
+pub fn on_deep_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    const STACK_BYTES: usize = 64 << 20;
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, work);
+        let thread = thread.expect("the system has room for one more thread");
+        thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })
+}
+
+struct Clock(Instant);
+
+impl Clock {
+    /// The time since the last lap.
+    fn lap(&mut self) -> Duration {
+        let now = Instant::now();
+        let lap = now - self.0;
+        self.0 = now;
+        lap
+    }
+}

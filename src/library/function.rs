@@ -1,0 +1,95 @@
+//! What a WGSL file tells a scene author: its name, its parameters, what it gives.
+
+use std::sync::Arc;
+
+use super::{Const, Type};
+
+/// A shape, texture or mapping.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Function {
+    /// As scenes call it: `WoodGrain`.
+    pub name: String,
+    /// As WGSL calls it: `woodGrain`.
+    pub wgsl_name: String,
+    pub kind: Kind,
+    /// The first doc line.
+    pub caption: String,
+    /// In the order of the signature, without the first, which is the ray or the point asked about.
+    pub parameters: Vec<Parameter>,
+    /// The file's name and text.
+    pub file: String,
+    pub text: Arc<str>,
+}
+
+/// What a function gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    Shape,
+    /// A number, nominally 0 to 1.
+    Pattern,
+    /// Linear RGB.
+    Color,
+    /// The point to ask about instead.
+    Mapping,
+}
+
+impl Kind {
+    pub fn noun(self) -> &'static str {
+        match self {
+            Kind::Shape => "shape",
+            Kind::Pattern => "pattern",
+            Kind::Color => "color",
+            Kind::Mapping => "mapping",
+        }
+    }
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// As scenes call it.
+    pub name: String,
+    pub ty: Type,
+    /// None where the author must give it.
+    pub default: Option<Const>,
+    /// The default as its doc line has it.
+    pub default_text: String,
+    /// Least and greatest value of each component.
+    pub range: Option<(f32, f32)>,
+    /// A direction, which must have a length.
+    pub nonzero: bool,
+    /// A `vec3f` that is a color.
+    pub is_color: bool,
+    /// The names of the values 0, 1, … of a `u32`.
+    pub choices: Vec<String>,
+    pub doc: String,
+}
+
+/// `WoodGrain` for `wood_grain`.
+pub fn name_of(stem: &str) -> String {
+    let words = stem.split('_').filter(|w| !w.is_empty());
+    words.map(|w| w[..1].to_uppercase() + &w[1..]).collect()
+}
+
+/// `wood_grain` for `WoodGrain`.
+pub fn stem_of(name: &str) -> String {
+    let mut stem = String::new();
+    for (i, c) in name.chars().enumerate() {
+        if c.is_uppercase() && i > 0 {
+            stem.push('_');
+        }
+        stem.extend(c.to_lowercase());
+    }
+    stem
+}
+
+/// `woodGrain` for `wood_grain`.
+pub fn wgsl_name_of(stem: &str) -> String {
+    let name = name_of(stem);
+    name.chars().take(1).flat_map(char::to_lowercase).chain(name.chars().skip(1)).collect()
+}
+
+impl Function {
+    pub fn parameter(&self, name: &str) -> Option<&Parameter> {
+        self.parameters.iter().find(|p| p.name == name)
+    }
+}

@@ -1,0 +1,130 @@
+//! WGSL files as data: what a scene can name, read from signatures and doc lines.
+//!
+//! In: [`Sources`] and the folder of a scene. Out: [`Function`]s by the names that scenes use.
+
+mod color;
+mod function;
+mod header;
+mod value;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+pub use color::parse_color;
+pub use function::{Function, Kind, Parameter};
+pub use value::{Const, Type};
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::sources::{Answer, Sources};
+
+/// The files that ship with raytoy: name in the project and text, sorted by name.
+pub const BUILT_IN: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/built_in.rs"));
+
+/// The two families of files that a scene names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Family {
+    Shape,
+    /// Patterns, colors and mappings.
+    Texture,
+}
+
+impl Family {
+    /// In prose.
+    pub fn noun(self) -> &'static str {
+        match self {
+            Family::Shape => "shape",
+            Family::Texture => "texture",
+        }
+    }
+
+    fn users_folder(self) -> &'static str {
+        match self {
+            Family::Shape => "shapes",
+            Family::Texture => "textures",
+        }
+    }
+
+    fn built_in_folder(self) -> &'static str {
+        match self {
+            Family::Shape => "shaders/shapes",
+            Family::Texture => "textures",
+        }
+    }
+}
+
+/// Finds what a scene names: beside the scene, beside its parent folders, then among what is built in.
+pub struct Library<'a> {
+    sources: &'a Sources,
+    folders: Vec<PathBuf>,
+    known: Mutex<BTreeMap<(Family, String), Result<Arc<Function>, Vec<Diagnostic>>>>,
+    warnings: Mutex<Vec<Diagnostic>>,
+}
+
+impl<'a> Library<'a> {
+    /// For a scene that lies in `folder`.
+    pub fn new(sources: &'a Sources, folder: &Path) -> Self {
+        let folders = sources.folders_above(folder);
+        Self { sources, folders, known: Mutex::default(), warnings: Mutex::default() }
+    }
+
+    /// The function that scenes call `name`, such as `WoodGrain`.
+    ///
+    /// # Errors
+    /// None if there is no such file; else what is wrong with the file, once for all that name it.
+    pub fn find(&self, family: Family, name: &str) -> Result<Arc<Function>, Option<Vec<Diagnostic>>> {
+        let key = (family, name.to_owned());
+        if let Some(known) = self.known.lock().expect("no holder panics").get(&key) {
+            return known.clone().map_err(|_| Some(vec![]));
+        }
+        let Some((file, text)) = self.locate(family, &function::stem_of(name)) else { return Err(None) };
+        let read = header::read(family, &file, &text).map(Arc::new);
+        self.known.lock().expect("no holder panics").insert(key, read.clone());
+        read.map_err(Some)
+    }
+
+    /// The names of all that can be found, sorted.
+    pub fn names(&self, family: Family) -> Vec<String> {
+        let built_in = BUILT_IN.iter().filter_map(|(path, _)| {
+            let file = path.strip_prefix(family.built_in_folder())?.strip_prefix('/')?;
+            file.strip_suffix(".wgsl").map(str::to_owned)
+        });
+        let folders = self.folders.iter().map(|f| f.join(family.users_folder()));
+        let mut stems: Vec<String> = folders.flat_map(|f| self.sources.snippets_in(&f)).chain(built_in).collect();
+        stems.sort();
+        stems.dedup();
+        stems.iter().map(|stem| function::name_of(stem)).collect()
+    }
+
+    /// What was odd but not wrong, since the last call.
+    pub fn take_warnings(&self) -> Vec<Diagnostic> {
+        std::mem::take(&mut self.warnings.lock().expect("no holder panics"))
+    }
+
+    fn locate(&self, family: Family, stem: &str) -> Option<(String, Arc<str>)> {
+        let built_in_name = format!("{}/{stem}.wgsl", family.built_in_folder());
+        let built_in = built_in(&built_in_name);
+        for folder in &self.folders {
+            let path = folder.join(family.users_folder()).join(format!("{stem}.wgsl"));
+            if let Answer::Text(text) = self.sources.read(&path) {
+                let file = self.sources.name(&path);
+                if built_in.is_some_and(|b| b != &*text) && file != built_in_name {
+                    let what = format!("this hides the {} that ships with raytoy", family.noun());
+                    let name = function::name_of(stem);
+                    let warning = Diagnostic::warning(what)
+                        .at(Place { file: file.clone(), span: 0..0 }, "")
+                        .help(format!("rename the file and its function to keep both `{name}`s"));
+                    self.warnings.lock().expect("no holder panics").push(warning);
+                }
+                return Some((file, text));
+            }
+        }
+        Some((built_in_name, built_in?.into()))
+    }
+}
+
+/// The text of a file that ships with raytoy, by its name in the project.
+pub fn built_in(name: &str) -> Option<&'static str> {
+    let at = BUILT_IN.binary_search_by_key(&name, |(n, _)| n).ok()?;
+    Some(BUILT_IN[at].1)
+}

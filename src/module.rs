@@ -1,0 +1,88 @@
+//! naga's verdict on a generated module, told at the place in the file that it came from.
+//!
+//! In: a [`Source`]. Out: a [`Module`] that wgpu will take, or diagnostics.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::wgsl::Source;
+
+/// A module that naga has parsed and validated.
+#[derive(Clone, Debug)]
+pub struct Module(Arc<naga::Module>);
+
+impl Module {
+    pub fn naga(&self) -> &naga::Module {
+        &self.0
+    }
+}
+
+/// Parses and validates `source`. Needs a deep stack: see [`crate::on_deep_stack`].
+///
+/// # Errors
+/// The first mistake that naga finds, at its place in a file of the author's or of ours.
+pub fn validate(source: &Source) -> Result<Module, Diagnostic> {
+    let text = source.text();
+    let module = naga::front::wgsl::parse_str(&text).map_err(|error| {
+        let mut problem = Diagnostic::error(lower(error.message()));
+        for (span, label) in error.labels() {
+            if let Some(range) = span.to_range() {
+                problem = problem.at(place(source, range), label);
+            }
+        }
+        explained(problem)
+    })?;
+    // The same that wgpu grants a shader on a device without optional features.
+    let capabilities = Capabilities::default();
+    Validator::new(ValidationFlags::all(), capabilities).validate(&module).map_err(|error| {
+        let mut chain: Vec<String> = vec![];
+        let mut cause: Option<&dyn std::error::Error> = Some(error.as_inner());
+        while let Some(error) = cause {
+            chain.push(lower(&error.to_string()));
+            cause = error.source();
+        }
+        let message = chain.pop().unwrap_or_default();
+        let mut problem = Diagnostic::error(message);
+        // The innermost place comes last.
+        let spans: Vec<_> = error.spans().collect();
+        for (span, _) in spans.into_iter().rev() {
+            if let Some(range) = span.to_range() {
+                problem = problem.at(place(source, range), "");
+            }
+        }
+        if let Some(context) = chain.into_iter().next() {
+            problem = problem.help(format!("naga says: {context}"));
+        }
+        explained(problem)
+    })?;
+    Ok(Module(Arc::new(module)))
+}
+
+fn place(source: &Source, range: Range<usize>) -> Place {
+    let (section, start) = source.origin(range.start);
+    let end = (start + range.len()).min(section.text.len());
+    Place { file: section.name.clone(), span: start..end }
+}
+
+/// A hint where the mistake is in text that the author never wrote.
+fn explained(problem: Diagnostic) -> Diagnostic {
+    match problem.labels.first() {
+        Some((place, _)) if place.file.starts_with("generated from ") => {
+            problem.help("this is generated code: `raytoy generate` shows all of it")
+        }
+        _ => problem,
+    }
+}
+
+fn lower(message: &str) -> String {
+    let mut letters = message.trim_end_matches('.').chars();
+    match letters.next() {
+        Some(first) if !message.chars().nth(1).is_some_and(char::is_uppercase) => {
+            first.to_lowercase().chain(letters).collect()
+        }
+        _ => message.to_owned(),
+    }
+}

@@ -1,0 +1,193 @@
+//! RON text to a tree with places, by ron2.
+
+use ron2::ast::{self, Expr};
+use ron2::error::ErrorKind;
+
+use super::{Field, Kind, Name, Record, Value};
+use crate::diagnostic::{Diagnostic, Place};
+
+/// The value of a whole file; `file` is its name in messages.
+///
+/// # Errors
+/// All syntax errors of the text, in its order.
+pub fn parse(file: &str, text: &str) -> Result<Value, Vec<Diagnostic>> {
+    let mut reader = Reader { file, text, problems: vec![] };
+    let (document, errors) = ast::parse_document_lossy(text);
+    for error in errors {
+        reader.syntax(&error);
+    }
+    let value = document.value.as_ref().map(|expr| reader.value(expr));
+    match value {
+        Some(value) if reader.problems.is_empty() => Ok(value),
+        Some(_) => Err(reader.problems),
+        None if reader.problems.is_empty() => {
+            let end = text.trim_end().len();
+            Err(vec![
+                Diagnostic::error("the file holds no scene")
+                    .at(Place { file: file.into(), span: end..end }, "")
+                    .help("a scene is `( objects: [ Sphere() ] )`, with what else it needs"),
+            ])
+        }
+        None => Err(reader.problems),
+    }
+}
+
+struct Reader<'a> {
+    file: &'a str,
+    text: &'a str,
+    problems: Vec<Diagnostic>,
+}
+
+impl Reader<'_> {
+    fn syntax(&mut self, error: &ron2::Error) {
+        let span = range(error.span());
+        // One mistake often upsets the parser at several places in a row; only the first says something.
+        if self.problems.iter().any(|p| p.labels.iter().any(|(at, _)| at.span.end >= span.start)) {
+            return;
+        }
+        let message = match error.kind() {
+            ErrorKind::Eof => "the text ends before the scene does".to_owned(),
+            ErrorKind::TrailingCharacters => "there is more text after the end of the scene".to_owned(),
+            ErrorKind::ExceededRecursionLimit => "values are nested too deeply".to_owned(),
+            kind => {
+                let said = kind.to_string();
+                let mut letters = said.chars();
+                letters.next().map_or(String::new(), |c| c.to_lowercase().chain(letters).collect())
+            }
+        };
+        let mut diagnostic = Diagnostic::error(message).at(self.place(span.clone()), "");
+        if let Some(advice) = self.advice(error.kind(), span.start) {
+            diagnostic = diagnostic.help(advice);
+        }
+        self.problems.push(diagnostic);
+    }
+
+    fn advice(&self, kind: &ErrorKind, at: usize) -> Option<String> {
+        let before = self.text.get(..at)?;
+        match kind {
+            ErrorKind::Eof => unclosed(before),
+            ErrorKind::Expected { expected, .. } if expected.contains("comma") || expected.contains(',') => {
+                Some("is a comma missing before this?".into())
+            }
+            _ => None,
+        }
+    }
+
+    fn place(&self, span: std::ops::Range<usize>) -> Place {
+        let end = span.end.min(self.text.len());
+        Place { file: self.file.into(), span: span.start.min(end)..end }
+    }
+
+    fn value(&mut self, expr: &Expr<'_>) -> Value {
+        let kind = match expr {
+            Expr::Unit(_) => Kind::Record(Record::default()),
+            Expr::Bool(b) => Kind::Bool(b.value),
+            Expr::Number(n) => match number(&n.raw) {
+                Some(x) if x.is_finite() => Kind::Number(x),
+                _ => {
+                    let message = format!("`{}` is not a finite number", n.raw);
+                    self.problems.push(Diagnostic::error(message).at(self.place(range(&n.span)), ""));
+                    Kind::Number(0.0)
+                }
+            },
+            Expr::String(s) => Kind::Text(s.value.clone()),
+            Expr::Option(option) => match &option.value {
+                Some(inner) => return self.value(&inner.expr),
+                None => Kind::None,
+            },
+            Expr::Seq(seq) => Kind::List(seq.items.iter().map(|i| self.value(&i.expr)).collect()),
+            Expr::Tuple(tuple) => Kind::Tuple(tuple.elements.iter().map(|e| self.value(&e.expr)).collect()),
+            Expr::Map(map) => Kind::Map(map.entries.iter().filter_map(|e| self.entry(e)).collect()),
+            Expr::AnonStruct(record) => {
+                Kind::Record(Record { fields: self.fields(&record.fields), ..Record::default() })
+            }
+            Expr::Struct(record) => Kind::Record(self.record(record)),
+            Expr::Char(_) | Expr::Byte(_) | Expr::Bytes(_) => {
+                let message = "a scene has no characters or bytes, only \"strings\"";
+                self.problems.push(Diagnostic::error(message).at(self.place(range(expr.span())), ""));
+                Kind::None
+            }
+            // Already reported by the parser.
+            Expr::Error(_) => Kind::None,
+        };
+        Value { span: range(expr.span()), kind }
+    }
+
+    fn record(&mut self, record: &ast::StructExpr<'_>) -> Record {
+        let name = Some(Name { span: range(&record.name.span), text: record.name.name.to_string() });
+        match &record.body {
+            None => Record { name, ..Record::default() },
+            Some(ast::StructBody::Tuple(body)) => {
+                let items = body.elements.iter().map(|e| self.value(&e.expr)).collect();
+                Record { name, items, ..Record::default() }
+            }
+            Some(ast::StructBody::Fields(body)) => {
+                Record { name, fields: self.fields(&body.fields), ..Record::default() }
+            }
+        }
+    }
+
+    fn fields(&mut self, fields: &[ast::StructField<'_>]) -> Vec<Field> {
+        let read = |f: &ast::StructField<'_>| Field {
+            name: Name { span: range(&f.name.span), text: f.name.name.to_string() },
+            value: self.value(&f.value),
+        };
+        fields.iter().map(read).collect()
+    }
+
+    fn entry(&mut self, entry: &ast::MapEntry<'_>) -> Option<Field> {
+        let value = self.value(&entry.value);
+        let span = range(entry.key.span());
+        if let Expr::String(key) = &entry.key {
+            return Some(Field { name: Name { span, text: key.value.clone() }, value });
+        }
+        let message = "names in a map are written as strings: `\"name\": …`";
+        self.problems.push(Diagnostic::error(message).at(self.place(span), ""));
+        None
+    }
+}
+
+fn range(span: &ron2::error::Span) -> std::ops::Range<usize> {
+    span.start_offset..span.end_offset.max(span.start_offset)
+}
+
+/// RON's numbers: decimal, `1_000`, `0xff`, `0b1`, `0o7`.
+fn number(raw: &str) -> Option<f64> {
+    let plain = raw.replace('_', "");
+    let (sign, digits) = match plain.strip_prefix('-') {
+        Some(rest) => (-1.0, rest),
+        None => (1.0, plain.strip_prefix('+').unwrap_or(&plain)),
+    };
+    let radix = [("0x", 16), ("0b", 2), ("0o", 8)];
+    let integer = radix.iter().find_map(|(prefix, radix)| {
+        let digits = digits.strip_prefix(prefix)?;
+        u64::from_str_radix(digits, *radix).ok().map(|n| n as f64)
+    });
+    Some(sign * integer.or_else(|| digits.parse().ok())?)
+}
+
+/// The last bracket that was opened and not closed, to name it. Strings and comments are skipped.
+fn unclosed(text: &str) -> Option<String> {
+    let mut open = vec![];
+    let mut chars = text.char_indices().peekable();
+    while let Some((at, c)) = chars.next() {
+        match c {
+            '"' => while let Some((_, s)) = chars.next() {
+                match s {
+                    '\\' => drop(chars.next()),
+                    '"' => break,
+                    _ => {}
+                }
+            },
+            '/' if chars.peek().is_some_and(|(_, c)| *c == '/') => {
+                chars.by_ref().find(|(_, c)| *c == '\n');
+            }
+            '(' | '[' | '{' => open.push((at, c)),
+            ')' | ']' | '}' => drop(open.pop()),
+            _ => {}
+        }
+    }
+    let (at, bracket) = open.pop()?;
+    let line = text[..at].matches('\n').count() + 1;
+    Some(format!("`{bracket}` of line {line} is not closed"))
+}

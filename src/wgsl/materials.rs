@@ -1,0 +1,155 @@
+//! Materials and textures: what the surface of an object looks like.
+
+use super::Writer;
+use super::code::{Code, Lines};
+use super::values::Body;
+use crate::ir::{Material, Property, Value};
+use crate::library::Const;
+
+impl Writer<'_> {
+    pub fn materials(&mut self) -> Lines {
+        let mut lines = self.material_of_object();
+        for (index, material) in self.scene.materials.iter().enumerate() {
+            if self.scene.objects.iter().any(|o| o.material == index) {
+                lines.extend(self.material(index, material));
+            }
+        }
+        lines.extend(self.bumps());
+        lines.extend(self.background());
+        lines.extend(self.textures());
+        lines
+    }
+
+    fn material_of_object(&self) -> Lines {
+        let mut lines = Lines::default();
+        lines.push("");
+        lines.push("/// The material of `object` at its surface point `at`.");
+        lines.push("fn materialAt(object: u32, at: Surface) -> Material {");
+        lines.push("    switch object {");
+        for (index, name) in self.material_names.iter().enumerate() {
+            if let Some(cases) = self.cases(|material| material == index) {
+                lines.statement(8, "case ", &cases, &format!(": {{ return {name}(at); }}"));
+            }
+        }
+        lines.push("        default: { return matte(vec3f(0.0)); }");
+        lines.push("    }");
+        lines.push("}");
+        lines
+    }
+
+    /// The objects whose material `is` the wanted one, as the selector of a `case`.
+    fn cases(&self, is: impl Fn(usize) -> bool) -> Option<Code> {
+        let objects = self.scene.objects.iter().zip(&self.object_names);
+        let mut names: Vec<Code> =
+            objects.filter(|(o, _)| is(o.material)).map(|(_, name)| Code::atom(name)).collect();
+        match names.len() {
+            0 => None,
+            1 => names.pop(),
+            _ => Some(Code::Cases(names)),
+        }
+    }
+
+    fn material(&mut self, index: usize, material: &Material) -> Lines {
+        let mut body = Body::default();
+        let mut settings = vec![];
+        let mut color = Code::call("vec3f", [Code::atom("0.8")]);
+        for (property, value) in &material.properties {
+            let code = self.value(value, "at", &mut body, 4);
+            match property {
+                Property::Color => color = code,
+                other => settings.push((field(*other), code)),
+            }
+        }
+        let mut lines = Lines::default();
+        lines.push("");
+        lines.push(format!("fn {}(at: Surface) -> Material {{", self.material_names[index]));
+        lines.extend(body.lines);
+        let matte = Code::call("matte", [color]);
+        if settings.is_empty() {
+            lines.statement(4, "return ", &matte, ";");
+        } else {
+            lines.statement(4, "var material = ", &matte, ";");
+            for (field, code) in settings {
+                lines.statement(4, &format!("material.{field} = "), &code, ";");
+            }
+            lines.push("    return material;");
+        }
+        lines.push("}");
+        lines
+    }
+
+    fn bumps(&mut self) -> Lines {
+        let scene = self.scene;
+        let bumped = |material: usize| scene.materials[material].bump.is_some();
+        let mut lines = Lines::default();
+        lines.push("");
+        lines.push("/// The world normal of `object` at `met`.");
+        lines.push("fn normalAt(object: u32, met: Placed) -> vec3f {");
+        let Some(cases) = self.cases(bumped) else {
+            lines.push("    return met.normal;");
+            lines.push("}");
+            return lines;
+        };
+        lines.push("    switch object {");
+        lines.statement(8, "case ", &cases, ": { return bumpedNormal(object, met); }");
+        lines.push("        default: { return met.normal; }");
+        lines.push("    }");
+        lines.push("}");
+        lines.push("");
+        lines.push("/// The height of `object` over its surface at `at`, scene units.");
+        lines.push("fn heightAt(object: u32, at: Surface) -> f32 {");
+        lines.push("    switch object {");
+        for (index, material) in scene.materials.iter().enumerate() {
+            let Some(bump) = &material.bump else { continue };
+            let Some(cases) = self.cases(|m| m == index) else { continue };
+            let mut body = Body::default();
+            let strength = self.numbers.constant(Const::F32(bump.strength));
+            let height = self.value(&bump.height, "at", &mut body, 12);
+            lines.statement(8, "case ", &cases, ": {");
+            lines.extend(body.lines);
+            lines.statement(12, "let height = ", &height, ";");
+            lines.statement(12, "return height * ", &strength, ";");
+            lines.push("        }");
+        }
+        lines.push("        default: { return 0.0; }");
+        lines.push("    }");
+        lines.push("}");
+        lines
+    }
+
+    fn background(&mut self) -> Lines {
+        let scene = self.scene;
+        let mut body = Body::default();
+        let color = self.value(&scene.background, "at", &mut body, 4);
+        let ambient = self.numbers.constant(Const::Vec3(scene.ambient));
+        let mut lines = Lines::default();
+        lines.push("");
+        lines.push("/// What a ray sees that leaves the scene in `direction`.");
+        lines.push("fn background(direction: vec3f) -> vec3f {");
+        if !matches!(scene.background, Value::Const(_)) {
+            lines.push("    let at = skyPoint(direction);");
+        }
+        lines.extend(body.lines);
+        lines.statement(4, "return ", &color, ";");
+        lines.push("}");
+        lines.push("");
+        lines.push("fn ambientLight() -> vec3f {");
+        lines.statement(4, "return ", &ambient, ";");
+        lines.push("}");
+        lines
+    }
+}
+
+/// The field of WGSL's `Material`.
+fn field(property: Property) -> &'static str {
+    match property {
+        Property::Color => "color",
+        Property::Specular => "specular",
+        Property::Shininess => "shininess",
+        Property::Reflectivity => "reflectivity",
+        Property::Fresnel => "fresnel",
+        Property::Transmission => "transmission",
+        Property::Ior => "ior",
+        Property::Emission => "emission",
+    }
+}

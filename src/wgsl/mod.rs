@@ -1,0 +1,160 @@
+//! From the resolved scene to WGSL that reads as if someone had written it for this scene.
+//!
+//! In: [`ir::Scene`]. Out: a [`Source`], the same bytes every time. Nothing here can fail.
+
+mod code;
+mod lights;
+mod materials;
+mod names;
+mod numbers;
+mod objects;
+mod sections;
+mod values;
+
+use std::sync::Arc;
+
+use self::code::Lines;
+use self::names::Names;
+use self::numbers::Numbers;
+use crate::ir;
+use crate::library::Function;
+
+/// What becomes of a scene's numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// Slots of [`Source::numbers`], which the shader reads: an edit of a number changes no text.
+    Live,
+    /// Literals.
+    Baked,
+}
+
+/// A WGSL module in sections, each from one place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Source {
+    pub mode: Mode,
+    /// The scene's own section first, then those that it needs.
+    pub sections: Vec<Section>,
+    /// What the slots of the live mode hold, four to a `vec4f`; empty when baked.
+    pub numbers: Vec<f32>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// The file that it came from, or for the scene's own a name that is none.
+    pub name: String,
+    pub text: Arc<str>,
+}
+
+impl Source {
+    /// The module, ready for naga.
+    pub fn text(&self) -> String {
+        self.sections.iter().map(|s| &*s.text).collect::<Vec<_>>().join("\n")
+    }
+
+    /// The scene's own section.
+    pub fn generated(&self) -> &str {
+        &self.sections[0].text
+    }
+
+    /// The section and the byte in it that byte `at` of [`Source::text`] came from.
+    pub fn origin(&self, at: usize) -> (&Section, usize) {
+        let mut start = 0;
+        for section in &self.sections {
+            if at <= start + section.text.len() {
+                return (section, at - start);
+            }
+            start += section.text.len() + 1;
+        }
+        let last = self.sections.last().expect("the scene's own section is always there");
+        (last, last.text.len())
+    }
+}
+
+/// The module for `scene`.
+pub fn generate(scene: &ir::Scene, mode: Mode) -> Source {
+    let mut writer = Writer::new(scene, mode);
+    let objects = writer.objects();
+    let materials = writer.materials();
+    let lights = writer.lights();
+    let mut text = writer.header();
+    text.extend(writer.constants());
+    text.extend(objects);
+    text.extend(materials);
+    text.extend(lights);
+    text.extend(writer.numbers.accessor());
+    let own = Section { name: format!("generated from {}", scene.name), text: text.finish().into() };
+    let mut sections = vec![own];
+    sections.extend(sections::needed(scene, &writer.used));
+    Source { mode, sections, numbers: writer.numbers.into_data() }
+}
+
+/// What is known while one scene is written.
+struct Writer<'a> {
+    scene: &'a ir::Scene,
+    mode: Mode,
+    numbers: Numbers,
+    /// Constants of the objects: `OBJECT_FLOOR`.
+    object_names: Vec<String>,
+    /// Functions of the materials and textures.
+    material_names: Vec<String>,
+    texture_names: Vec<String>,
+    /// Shapes, textures and mappings, in the order of first use.
+    used: Vec<Arc<Function>>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(scene: &'a ir::Scene, mode: Mode) -> Self {
+        let mut names = Names::default();
+        let object_names = scene.objects.iter().map(|o| names.constant("OBJECT", &o.name)).collect();
+        let material_names = scene.materials.iter().map(|m| names.function(&m.name, "Material")).collect();
+        let texture_names = scene.textures.iter().map(|t| names.function(&t.name, "Texture")).collect();
+        let numbers = Numbers::new(mode);
+        Self { scene, mode, numbers, object_names, material_names, texture_names, used: vec![] }
+    }
+
+    fn uses(&mut self, function: &Arc<Function>) {
+        if !self.used.iter().any(|f| f.file == function.file) {
+            self.used.push(function.clone());
+        }
+    }
+
+    /// `caption` as a comment: the author's words, but in live mode not the numbers, which may change.
+    fn caption(&self, head: &str, caption: &str) -> String {
+        let name_only = caption.split('(').next().unwrap_or(caption);
+        let words = if self.mode == Mode::Live { name_only } else { caption };
+        code::comment(&format!("{head}{words}"))
+    }
+
+    fn header(&self) -> Lines {
+        let mut lines = Lines::default();
+        lines.push(format!("// Generated from {}. Do not edit: change the scene, or a file in", self.scene.name));
+        lines.push("// shapes/ or textures/, and this is written again.");
+        lines.push("//");
+        let names: Vec<&str> = self.scene.objects.iter().map(|o| o.name.as_str()).collect();
+        lines.extend(code::list("//   objects   ", &names));
+        let kind = |shape: bool| {
+            let functions = self.used.iter().filter(move |f| (f.kind == crate::library::Kind::Shape) == shape);
+            functions.map(|f| f.name.as_str()).collect::<Vec<_>>()
+        };
+        lines.extend(code::list("//   shapes    ", &kind(true)));
+        lines.extend(code::list("//   textures  ", &kind(false)));
+        if self.mode == Mode::Live {
+            lines.push("//   numbers   are data: live(i) is the i-th four of them");
+        }
+        lines
+    }
+
+    fn constants(&self) -> Lines {
+        let mut lines = Lines::default();
+        lines.push("");
+        for (i, name) in self.object_names.iter().enumerate() {
+            lines.push(format!("const {name}: u32 = {i}u;"));
+        }
+        lines.push(format!("const LIGHTS: u32 = {}u;", self.scene.lights.len()));
+        let transmits = self.scene.transmits();
+        lines.push("/// Whether any ray goes through a surface, and how many then wait for their turn.");
+        lines.push(format!("const TRANSMITS: bool = {transmits};"));
+        lines.push(format!("const MAX_WAITING: u32 = {}u;", if transmits { ir::MAX_BOUNCES } else { 1 }));
+        lines
+    }
+}

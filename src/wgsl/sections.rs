@@ -1,0 +1,63 @@
+//! Which files a scene needs besides its own section.
+
+use std::sync::Arc;
+
+use super::Section;
+use crate::ir;
+use crate::library::{BUILT_IN, Function, built_in};
+
+/// The hand-written shader around every scene.
+const CORE: [&str; 9] = ["main", "view", "trace", "shading", "light", "material", "space", "ray", "frame"];
+
+/// Files that are not part of a scene's shader, or only when something asks for them.
+const BUMP: &str = "shaders/bump.wgsl";
+const DISPLAY: &str = "shaders/display.wgsl";
+
+/// The sections that `scene` and the functions that it uses stand on.
+pub fn needed(scene: &ir::Scene, used: &[Arc<Function>]) -> Vec<Section> {
+    let mut sections: Vec<Section> =
+        used.iter().map(|f| Section { name: f.file.clone(), text: f.text.clone() }).collect();
+    // Shared files may use each other, so each round may find more.
+    loop {
+        let found: Vec<Section> = shared()
+            .filter(|(name, _)| sections.iter().all(|s| s.name != *name))
+            .filter(|(_, text)| functions_in(text).any(|f| sections.iter().any(|s| calls(&s.text, f))))
+            .map(|(name, text)| section(name, text))
+            .collect();
+        if found.is_empty() {
+            break;
+        }
+        sections.extend(found);
+    }
+    if scene.materials.iter().any(|m| m.bump.is_some()) {
+        sections.extend(built_in(BUMP).map(|text| section(BUMP, text)));
+    }
+    for stem in CORE {
+        let name = format!("shaders/{stem}.wgsl");
+        sections.push(section(&name, built_in(&name).expect("CORE names files in shaders/")));
+    }
+    sections
+}
+
+fn section(name: &str, text: &str) -> Section {
+    Section { name: name.into(), text: text.into() }
+}
+
+/// Files in shaders/ that are there for textures and shapes to use.
+fn shared() -> impl Iterator<Item = (&'static str, &'static str)> {
+    BUILT_IN.iter().copied().filter(|(name, _)| {
+        let stem = name.strip_prefix("shaders/").and_then(|n| n.strip_suffix(".wgsl"));
+        stem.is_some_and(|s| !s.contains('/') && !CORE.contains(&s)) && *name != BUMP && *name != DISPLAY
+    })
+}
+
+fn functions_in(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().filter_map(|line| line.strip_prefix("fn ")?.split('(').next())
+}
+
+fn calls(text: &str, function: &str) -> bool {
+    let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    text.match_indices(function).any(|(at, _)| {
+        text[at + function.len()..].starts_with('(') && !text[..at].ends_with(is_name)
+    })
+}

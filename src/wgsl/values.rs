@@ -1,0 +1,124 @@
+//! Values that vary over a surface, as calls.
+
+use std::collections::BTreeSet;
+
+use super::Writer;
+use super::code::{Code, Lines};
+use crate::ir::{Call, Ramp, Value};
+use crate::library::Type;
+
+/// The statements before the expression that a function returns.
+#[derive(Default)]
+pub struct Body {
+    pub lines: Lines,
+    count: usize,
+}
+
+impl Body {
+    /// A new local, defined by `keyword name = code;`.
+    fn bind(&mut self, keyword: &str, stem: &str, code: &Code, indent: usize) -> String {
+        self.count += 1;
+        let name = format!("{stem}{}", self.count);
+        self.lines.statement(indent, &format!("{keyword} {name} = "), code, ";");
+        name
+    }
+}
+
+impl Writer<'_> {
+    /// `value` at the point `at`; what must be computed first goes to `body`, `indent` columns in.
+    pub fn value(&mut self, value: &Value, at: &str, body: &mut Body, indent: usize) -> Code {
+        match value {
+            Value::Const(constant) => self.numbers.constant(*constant),
+            Value::Texture(index) => Code::call(&self.texture_names[*index], [Code::atom(at)]),
+            Value::Grey(number) => Code::call("vec3f", [self.value(number, at, body, indent)]),
+            Value::Luminance(color) => Code::call("luminance", [self.value(color, at, body, indent)]),
+            Value::Call(call) => self.call(call, at, body, indent),
+            Value::Ramp(ramp) => self.ramp(ramp, at, body, indent),
+        }
+    }
+
+    fn call(&mut self, call: &Call, at: &str, body: &mut Body, indent: usize) -> Code {
+        let moved = call.at.as_ref().map(|mapping| {
+            let code = self.call(mapping, at, body, indent);
+            body.bind("let", "at", &code, indent)
+        });
+        let at = moved.as_deref().unwrap_or(at);
+        self.uses(&call.function);
+        let mut arguments = vec![Code::atom(at)];
+        for argument in &call.arguments {
+            arguments.push(self.value(argument, at, body, indent));
+        }
+        Code::call(&call.function.wgsl_name, arguments)
+    }
+
+    /// One stop is mixed over the other: below its start a step is 0, above its end 1.
+    fn ramp(&mut self, ramp: &Ramp, at: &str, body: &mut Body, indent: usize) -> Code {
+        let by = self.value(&ramp.by, at, body, indent);
+        let by = body.bind("let", "by", &by, indent);
+        let (first_at, first) = &ramp.stops[0];
+        let first = self.value(first, at, body, indent);
+        let color = body.bind("var", "ramp", &first, indent);
+        let mut low = *first_at;
+        for (high, stop) in &ramp.stops[1..] {
+            let ends = [low, *high].map(|x| self.numbers.constant(crate::library::Const::F32(x)));
+            let step = Code::call("rampStep", ends.into_iter().chain([Code::atom(&by)]));
+            let stop = self.value(stop, at, body, indent);
+            let mixed = Code::call("mix", [Code::atom(&color), stop, step]);
+            body.lines.statement(indent, &format!("{color} = "), &mixed, ";");
+            low = *high;
+        }
+        Code::atom(color)
+    }
+
+    /// The functions of the declared textures that something uses, in the author's order.
+    pub fn textures(&mut self) -> Lines {
+        let scene = self.scene;
+        let mut reached = BTreeSet::new();
+        reach(&scene.background, scene, &mut reached);
+        for material in &scene.materials {
+            let heights = material.bump.iter().map(|bump| &bump.height);
+            for value in material.properties.iter().map(|(_, value)| value).chain(heights) {
+                reach(value, scene, &mut reached);
+            }
+        }
+        let mut lines = Lines::default();
+        for index in reached {
+            let texture = &scene.textures[index];
+            let mut body = Body::default();
+            let value = self.value(&texture.value, "at", &mut body, 4);
+            let ty = if texture.ty == Type::F32 { "f32" } else { "vec3f" };
+            lines.push("");
+            lines.push(format!("/// textures: \"{}\"", texture.name.escape_default()));
+            lines.push(format!("fn {}(at: Surface) -> {ty} {{", self.texture_names[index]));
+            lines.extend(body.lines);
+            lines.statement(4, "return ", &value, ";");
+            lines.push("}");
+        }
+        lines
+    }
+}
+
+/// Adds the declared textures that `value` needs.
+fn reach(value: &Value, scene: &crate::ir::Scene, reached: &mut BTreeSet<usize>) {
+    match value {
+        Value::Const(_) => {}
+        Value::Texture(index) => {
+            if reached.insert(*index) {
+                reach(&scene.textures[*index].value, scene, reached);
+            }
+        }
+        Value::Grey(inner) | Value::Luminance(inner) => reach(inner, scene, reached),
+        Value::Call(call) => {
+            let mut mapping = call.at.as_deref();
+            while let Some(call) = mapping {
+                call.arguments.iter().for_each(|a| reach(a, scene, reached));
+                mapping = call.at.as_deref();
+            }
+            call.arguments.iter().for_each(|a| reach(a, scene, reached));
+        }
+        Value::Ramp(ramp) => {
+            reach(&ramp.by, scene, reached);
+            ramp.stops.iter().for_each(|(_, stop)| reach(stop, scene, reached));
+        }
+    }
+}

@@ -1,0 +1,22 @@
+/// Stirs a texture: pushes every point a random but smooth way.
+///
+/// amount = 0.3, 0 to 4: how far points move, in scene units; uv moves by the first two components
+/// scale = 1, 0.01 to 100: eddies per scene unit
+/// octaves = 4, 1 to 12: how many layers of ever smaller eddies
+fn turbulence(at: Surface, amount: f32, scale: f32, octaves: u32) -> Surface {
+    var q = at.position * scale;
+    var width = at.footprint * scale;
+    var reach = amount;
+    var push = vec3f(0.0);
+    for (var i = 0u; i < clamp(octaves, 1u, 16u); i++) {
+        q = OCTAVE_TURN * q + OCTAVE_SHIFT;
+        push += reach * (1.0 - smoothstep(0.25, 1.0, width)) * vectorNoise(q);
+        reach *= 0.5;
+        width *= 2.0;
+        q *= 2.0;
+    }
+    var moved = at;
+    moved.position += push;
+    moved.uv += push.xy;
+    return moved;
+}
