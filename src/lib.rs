@@ -18,16 +18,16 @@
 //! ```
 
 pub mod diagnostic;
-pub mod sources;
-pub mod library;
-pub mod scene;
-pub mod ir;
-pub mod wgsl;
-pub mod module;
 pub mod gpu;
+pub mod ir;
+pub mod library;
+pub mod module;
+pub mod scene;
+pub mod sources;
+pub mod wgsl;
 //pub mod watch;
-//pub mod app;
-//pub mod cli;
+pub mod app;
+pub mod cli;
 
 use std::path::Path;
 use std::time::{Duration, Instant};

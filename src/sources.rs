@@ -69,14 +69,17 @@ impl Sources {
         let folder = self.absolute(folder);
         let mut stems: Vec<String> = self
             .asked
-            .lock().expect("no holder panics")
+            .lock()
+            .expect("no holder panics")
             .iter()
             .filter(|(path, answer)| {
                 path.parent() == Some(folder.as_path()) && matches!(answer, Answer::Text(_))
             })
             .filter_map(|(path, _)| snippet_stem(path))
             .collect();
-        if self.on_disk && let Ok(entries) = std::fs::read_dir(&folder) {
+        if self.on_disk
+            && let Ok(entries) = std::fs::read_dir(&folder)
+        {
             stems.extend(entries.flatten().filter_map(|entry| snippet_stem(&entry.path())));
         }
         stems.sort();
@@ -89,7 +92,8 @@ impl Sources {
         let folder = self.absolute(folder);
         let mut above: Vec<PathBuf> = vec![folder.clone()];
         if folder.starts_with(&self.root) {
-            above.extend(folder.ancestors().skip(1).take_while(|a| a.starts_with(&self.root)).map(Into::into));
+            above
+                .extend(folder.ancestors().skip(1).take_while(|a| a.starts_with(&self.root)).map(Into::into));
         }
         above
     }
@@ -150,7 +154,9 @@ fn read_file(path: &Path) -> Answer {
                 Answer::Unreadable(format!("it is not UTF-8 text (byte {at})"))
             }
         },
-        Err(e) if matches!(e.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => Answer::Missing,
+        Err(e) if matches!(e.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
+            Answer::Missing
+        }
         Err(e) => Answer::Unreadable(e.to_string()),
     }
 }

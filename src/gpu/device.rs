@@ -110,7 +110,11 @@ impl Gpu {
     }
 
     /// The bytes of a texture whose texels have `texel_bytes`, by rows from the top.
-    pub(super) fn read_texture(&self, texture: &wgpu::Texture, texel_bytes: u32) -> Result<Vec<u8>, GpuError> {
+    pub(super) fn read_texture(
+        &self,
+        texture: &wgpu::Texture,
+        texel_bytes: u32,
+    ) -> Result<Vec<u8>, GpuError> {
         let (width, height) = (texture.width(), texture.height());
         let row = width * texel_bytes;
         let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
@@ -121,7 +125,8 @@ impl Gpu {
             mapped_at_creation: false,
         });
         let mut encoder = self.device.create_command_encoder(&Default::default());
-        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(padded), rows_per_image: None };
+        let layout =
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(padded), rows_per_image: None };
         encoder.copy_texture_to_buffer(
             texture.as_image_copy(),
             wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },

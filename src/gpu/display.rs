@@ -58,7 +58,8 @@ impl Display {
             label: Some("display"),
             entries: &[uniform, texture_entry(1)],
         });
-        let pipeline = full_screen_pipeline(&gpu.device, &module, &layout, ["coverTarget", "showPixel"], format);
+        let pipeline =
+            full_screen_pipeline(&gpu.device, &module, &layout, ["coverTarget", "showPixel"], format);
         let options = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("display"),
             size: size_of::<Options>() as u64,

@@ -56,11 +56,20 @@ impl Pipeline {
 fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
     let device = &gpu.device;
     gpu.count_pipeline();
-    let checks = wgpu::ShaderRuntimeChecks { force_loop_bounding: std::env::var("LB").is_err(), bounds_checks: std::env::var("BC").is_err(), ..wgpu::ShaderRuntimeChecks::checked() };
-    let module = unsafe { device.create_shader_module_trusted(wgpu::ShaderModuleDescriptor {
-        label: Some(&compiled.scene.name),
-        source: wgpu::ShaderSource::Naga(Cow::Owned(compiled.module.naga().clone())),
-    }, checks) };
+    let checks = wgpu::ShaderRuntimeChecks {
+        force_loop_bounding: std::env::var("LB").is_err(),
+        bounds_checks: std::env::var("BC").is_err(),
+        ..wgpu::ShaderRuntimeChecks::checked()
+    };
+    let module = unsafe {
+        device.create_shader_module_trusted(
+            wgpu::ShaderModuleDescriptor {
+                label: Some(&compiled.scene.name),
+                source: wgpu::ShaderSource::Naga(Cow::Owned(compiled.module.naga().clone())),
+            },
+            checks,
+        )
+    };
     let uniform = |binding, size| wgpu::BindGroupLayoutEntry {
         binding,
         visibility: wgpu::ShaderStages::FRAGMENT,
@@ -71,7 +80,8 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
         },
         count: None,
     };
-    let mut entries = vec![uniform(0, size_of::<super::uniforms::Frame>() as u64), super::display::texture_entry(1)];
+    let mut entries =
+        vec![uniform(0, size_of::<super::uniforms::Frame>() as u64), super::display::texture_entry(1)];
     let numbers = (compiled.source.mode == Mode::Live).then(|| {
         let size = size_of_val(compiled.source.numbers.as_slice()) as u64;
         entries.push(uniform(2, size));
@@ -82,9 +92,17 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
             mapped_at_creation: false,
         })
     });
-    let layout =
-        device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("scene"), entries: &entries });
-    let pipeline = super::display::full_screen_pipeline(device, &module, &layout, ["coverPicture", "tracePixel"], FORMAT);
+    let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("scene"),
+        entries: &entries,
+    });
+    let pipeline = super::display::full_screen_pipeline(
+        device,
+        &module,
+        &layout,
+        ["coverPicture", "tracePixel"],
+        FORMAT,
+    );
     let built = Pipeline { pipeline, layout, numbers };
     built.upload(gpu, &compiled.source.numbers);
     built

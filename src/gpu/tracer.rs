@@ -22,7 +22,8 @@ impl Tracer {
     pub fn new(gpu: &Gpu, size: [u32; 2]) -> Result<Self, GpuError> {
         let most = gpu.device.limits().max_texture_dimension_2d;
         if size.iter().any(|n| *n > most || *n == 0) {
-            let why = format!("a picture of {}x{}; its pictures go from 1x1 to {most}x{most}", size[0], size[1]);
+            let why =
+                format!("a picture of {}x{}; its pictures go from 1x1 to {most}x{most}", size[0], size[1]);
             return Err(GpuError::Refused(why));
         }
         let frame = gpu.device.create_buffer(&wgpu::BufferDescriptor {
@@ -45,7 +46,12 @@ impl Tracer {
                 view_formats: &[],
             })
         };
-        Ok(Self { gpu: gpu.clone(), frame, textures: [texture("even samples"), texture("odd samples")], samples: 0 })
+        Ok(Self {
+            gpu: gpu.clone(),
+            frame,
+            textures: [texture("even samples"), texture("odd samples")],
+            samples: 0,
+        })
     }
 
     pub fn size(&self) -> [u32; 2] {
@@ -80,7 +86,8 @@ impl Tracer {
         let frame = Frame::new(moment, render, self.size(), self.samples, jitter);
         queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&frame));
         let target = &self.textures[self.samples as usize % 2];
-        let (before, target) = (self.picture().create_view(&Default::default()), target.create_view(&Default::default()));
+        let (before, target) =
+            (self.picture().create_view(&Default::default()), target.create_view(&Default::default()));
         let mut entries = vec![
             wgpu::BindGroupEntry { binding: 0, resource: self.frame.as_entire_binding() },
             wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&before) },

@@ -136,12 +136,28 @@ pub struct Light {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LightKind {
-    Point { position: Vec3, radius: f32 },
+    Point {
+        position: Vec3,
+        radius: f32,
+    },
     /// `spread` is the tangent of half the angle under which it is seen.
-    Directional { direction: Vec3, spread: f32 },
+    Directional {
+        direction: Vec3,
+        spread: f32,
+    },
     /// `inner` and `outer` are cosines.
-    Spot { position: Vec3, radius: f32, axis: Vec3, inner: f32, outer: f32 },
-    Rect { corner: Vec3, u: Vec3, v: Vec3 },
+    Spot {
+        position: Vec3,
+        radius: f32,
+        axis: Vec3,
+        inner: f32,
+        outer: f32,
+    },
+    Rect {
+        corner: Vec3,
+        u: Vec3,
+        v: Vec3,
+    },
 }
 
 /// How the picture is made. All of it is data: none of it changes the shader.

@@ -160,7 +160,8 @@ impl Header<'_> {
         });
         let Some((line, span)) = documented else {
             let message = format!("parameter `{name}` has no doc line");
-            let advice = format!("write above the function: `/// {name} = default, low to high: what it does`");
+            let advice =
+                format!("write above the function: `/// {name} = default, low to high: what it does`");
             problems.push(Diagnostic::error(message).at(self.place(declared.span.clone()), "").help(advice));
             return None;
         };
@@ -210,7 +211,8 @@ impl Header<'_> {
 
     /// All snippets of a scene share one WGSL module, so helpers carry their function's name.
     fn misnamed_helpers(&self) -> Vec<Diagnostic> {
-        let starts = self.text.match_indices("fn ").filter(|(at, _)| *at == 0 || self.text[..*at].ends_with('\n'));
+        let starts =
+            self.text.match_indices("fn ").filter(|(at, _)| *at == 0 || self.text[..*at].ends_with('\n'));
         let helpers = starts.filter_map(|(at, _)| {
             let rest = &self.text[at + 3..];
             let name = &rest[..rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_')?];
@@ -228,7 +230,8 @@ impl Header<'_> {
 
 /// The rest of a doc line, after the name: ` = default, low to high: text`.
 fn doc_line(name: &str, ty: Type, rest: &str) -> Result<Parameter, String> {
-    let (head, doc) = rest.split_once(": ").or_else(|| rest.split_once(':')).ok_or("the doc line has no `:`")?;
+    let (head, doc) =
+        rest.split_once(": ").or_else(|| rest.split_once(':')).ok_or("the doc line has no `:`")?;
     let (default_text, limits) = match head.trim().strip_prefix('=') {
         Some(given) => split_default(given.trim()),
         None => ("", head.trim_start_matches(',').trim()),
@@ -257,9 +260,9 @@ fn split_default(given: &str) -> (&str, &str) {
 }
 
 fn range(limits: &str) -> Result<(f32, f32), String> {
-    let parsed = limits.split_once(" to ").and_then(|(low, high)| {
-        Some((low.trim().parse().ok()?, high.trim().parse().ok()?))
-    });
+    let parsed = limits
+        .split_once(" to ")
+        .and_then(|(low, high)| Some((low.trim().parse().ok()?, high.trim().parse().ok()?)));
     match parsed {
         Some((low, high)) if low < high => Ok((low, high)),
         _ => Err(format!("`{limits}` is not a range")),

@@ -90,7 +90,8 @@ impl<'a> Library<'a> {
             file.strip_suffix(".wgsl").map(str::to_owned)
         });
         let folders = self.folders.iter().map(|f| f.join(family.users_folder()));
-        let mut stems: Vec<String> = folders.flat_map(|f| self.sources.snippets_in(&f)).chain(built_in).collect();
+        let mut stems: Vec<String> =
+            folders.flat_map(|f| self.sources.snippets_in(&f)).chain(built_in).collect();
         stems.sort();
         stems.dedup();
         stems.iter().map(|stem| function::name_of(stem)).collect()

@@ -172,13 +172,15 @@ fn unclosed(text: &str) -> Option<String> {
     let mut chars = text.char_indices().peekable();
     while let Some((at, c)) = chars.next() {
         match c {
-            '"' => while let Some((_, s)) = chars.next() {
-                match s {
-                    '\\' => drop(chars.next()),
-                    '"' => break,
-                    _ => {}
+            '"' => {
+                while let Some((_, s)) = chars.next() {
+                    match s {
+                        '\\' => drop(chars.next()),
+                        '"' => break,
+                        _ => {}
+                    }
                 }
-            },
+            }
             '/' if chars.peek().is_some_and(|(_, c)| *c == '/') => {
                 chars.by_ref().find(|(_, c)| *c == '\n');
             }

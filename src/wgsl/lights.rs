@@ -27,7 +27,9 @@ impl Writer<'_> {
     fn light(&mut self, light: &Light) -> Code {
         let vector = |v| Const::Vec3(v);
         let (name, numbers) = match light.kind {
-            LightKind::Point { position, radius } => ("pointLight", vec![vector(position), Const::F32(radius)]),
+            LightKind::Point { position, radius } => {
+                ("pointLight", vec![vector(position), Const::F32(radius)])
+            }
             LightKind::Directional { direction, spread } => {
                 ("directionalLight", vec![vector(direction), Const::F32(spread)])
             }

@@ -127,13 +127,17 @@ impl<'a> Writer<'a> {
 
     fn header(&self) -> Lines {
         let mut lines = Lines::default();
-        lines.push(format!("// Generated from {}. Do not edit: change the scene, or a file in", self.scene.name));
+        lines.push(format!(
+            "// Generated from {}. Do not edit: change the scene, or a file in",
+            self.scene.name
+        ));
         lines.push("// shapes/ or textures/, and this is written again.");
         lines.push("//");
         let names: Vec<&str> = self.scene.objects.iter().map(|o| o.name.as_str()).collect();
         lines.extend(code::list("//   objects   ", &names));
         let kind = |shape: bool| {
-            let functions = self.used.iter().filter(move |f| (f.kind == crate::library::Kind::Shape) == shape);
+            let functions =
+                self.used.iter().filter(move |f| (f.kind == crate::library::Kind::Shape) == shape);
             functions.map(|f| f.name.as_str()).collect::<Vec<_>>()
         };
         lines.extend(code::list("//   shapes    ", &kind(true)));

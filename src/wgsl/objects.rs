@@ -33,7 +33,8 @@ impl Writer<'_> {
         let space = object.space.as_ref().map(|rows| {
             Code::call("Space", rows.iter().map(|r| row(&mut self.numbers, r)).collect::<Vec<_>>())
         });
-        let bounds = object.bounds.map(|(low, high)| [low, high].map(|c| self.numbers.constant(Const::Vec3(c))));
+        let bounds =
+            object.bounds.map(|(low, high)| [low, high].map(|c| self.numbers.constant(Const::Vec3(c))));
         Written { arguments, space, bounds }
     }
 

@@ -51,7 +51,9 @@ impl<'a> Resolver<'a> {
         let problem = Diagnostic::error(format!("there is no material \"{name}\"")).at(place, "");
         let mut problem = problem.suggest(name, known.iter().map(String::as_str));
         if known.is_empty() {
-            problem.help.push("declare it: `materials: { \"name\": (color: 0.8) }`, or write `(color: …)` here".into());
+            problem.help.push(
+                "declare it: `materials: { \"name\": (color: 0.8) }`, or write `(color: …)` here".into(),
+            );
         }
         self.push(problem);
         0

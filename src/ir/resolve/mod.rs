@@ -123,7 +123,8 @@ impl<'a> Resolver<'a> {
     }
 
     fn camera(&mut self, written: Option<&scene::Value>) -> Camera {
-        let default = Camera { eye: Vec3::new(6.0, 4.0, 9.0), target: Vec3::Y, up: Vec3::Y, fov: 40f32.to_radians() };
+        let default =
+            Camera { eye: Vec3::new(6.0, 4.0, 9.0), target: Vec3::Y, up: Vec3::Y, fov: 40f32.to_radians() };
         let Some(written) = written else { return default };
         let mut fields = Fields::of(self, written, "`camera`");
         let eye = fields.vector(self, "eye", Some(default.eye));
@@ -149,7 +150,8 @@ impl<'a> Resolver<'a> {
             lines.flat_map(str::split_whitespace).collect::<Vec<_>>().join(" ").replace("( ", "(")
         };
         let kept = record.fields.iter().filter(|f| !but.contains(&f.name.text.as_str()));
-        let fields: Vec<String> = kept.map(|f| format!("{}: {}", f.name.text, words(&f.value.span))).collect();
+        let fields: Vec<String> =
+            kept.map(|f| format!("{}: {}", f.name.text, words(&f.value.span))).collect();
         let name = record.name.as_ref().map_or("", |n| n.text.as_str());
         format!("{name}({})", fields.join(", "))
     }

@@ -18,7 +18,9 @@ const MOST_OBJECTS: usize = 4096;
 impl Resolver<'_> {
     pub fn objects(&mut self, written: Option<&scene::Value>, root: &scene::Value) -> Vec<Object> {
         let Some(written) = written else {
-            self.error(&root.span, "the scene has no `objects`").help.push("write `objects: [ Sphere() ]`".into());
+            self.error(&root.span, "the scene has no `objects`")
+                .help
+                .push("write `objects: [ Sphere() ]`".into());
             return vec![];
         };
         let Kind::List(items) = &written.kind else {
@@ -85,7 +87,8 @@ impl Resolver<'_> {
     fn space(&mut self, fields: &mut Fields<'_>) -> Option<[[f32; 4]; 3]> {
         let moved = ["translate", "rotate_deg", "scale"].iter().any(|field| fields.has(field));
         let translate = fields.vector(self, "translate", Some(Vec3::ZERO)).as_dvec3();
-        let turned = fields.vector(self, "rotate_deg", Some(Vec3::ZERO)).as_dvec3() * (std::f64::consts::PI / 180.0);
+        let turned =
+            fields.vector(self, "rotate_deg", Some(Vec3::ZERO)).as_dvec3() * (std::f64::consts::PI / 180.0);
         let scale = match fields.get("scale") {
             Some(value) => self.scale(value),
             None => Vec3::ONE,
@@ -93,7 +96,9 @@ impl Resolver<'_> {
         if !moved {
             return None;
         }
-        let turn = DQuat::from_rotation_z(turned.z) * DQuat::from_rotation_y(turned.y) * DQuat::from_rotation_x(turned.x);
+        let turn = DQuat::from_rotation_z(turned.z)
+            * DQuat::from_rotation_y(turned.y)
+            * DQuat::from_rotation_x(turned.x);
         let scale = DMat3::from_diagonal(scale.as_dvec3());
         let to_world = DAffine3::from_mat3_translation(DMat3::from_quat(turn) * scale, translate);
         let inverse = to_world.inverse();
@@ -112,7 +117,9 @@ impl Resolver<'_> {
         };
         let scale = scale.unwrap_or(Vec3::ONE);
         if scale.abs().min_element() < 1e-6 {
-            self.error(&value.span, "`scale` must not be 0").help.push("leave the object out, or make it thin: 0.001".into());
+            self.error(&value.span, "`scale` must not be 0")
+                .help
+                .push("leave the object out, or make it thin: 0.001".into());
             return Vec3::ONE;
         }
         scale

@@ -36,7 +36,9 @@ impl Resolver<'_> {
 
     fn count(&mut self, fields: &mut Fields<'_>, name: &str, default: u32, low: u32, high: u32) -> u32 {
         let x = fields.number(self, name, Some(default as f32), low as f32, high as f32);
-        if x.fract() != 0.0 && let Some(value) = fields.get(name) {
+        if x.fract() != 0.0
+            && let Some(value) = fields.get(name)
+        {
             self.mismatch(value, "a whole number");
         }
         x as u32
@@ -47,7 +49,9 @@ impl Resolver<'_> {
             match (name.text.as_str(), items.as_slice()) {
                 ("Srgb", []) => return Transfer::Srgb,
                 ("Linear", []) => return Transfer::Linear,
-                ("Gamma", [gamma]) => return Transfer::Gamma(self.number(gamma, Some((0.1, 10.0))).unwrap_or(1.0)),
+                ("Gamma", [gamma]) => {
+                    return Transfer::Gamma(self.number(gamma, Some((0.1, 10.0))).unwrap_or(1.0));
+                }
                 _ => {}
             }
         }
@@ -64,7 +68,8 @@ impl Resolver<'_> {
                     return *tone_map;
                 }
                 let place = self.place(&name.span);
-                let problem = Diagnostic::error(format!("there is no tone map `{}`", name.text)).at(place, "");
+                let problem =
+                    Diagnostic::error(format!("there is no tone map `{}`", name.text)).at(place, "");
                 self.push(problem.suggest(&name.text, ["None", "Reinhard", "Aces", "Agx"]));
             }
             _ => self.mismatch(written, "`None`, `Reinhard`, `Aces` or `Agx`"),

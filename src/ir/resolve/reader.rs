@@ -56,7 +56,14 @@ impl<'v> Fields<'v> {
     }
 
     /// A number from `low` to `high`; required where there is no default.
-    pub fn number(&mut self, resolver: &mut Resolver<'_>, name: &str, default: Option<f32>, low: f32, high: f32) -> f32 {
+    pub fn number(
+        &mut self,
+        resolver: &mut Resolver<'_>,
+        name: &str,
+        default: Option<f32>,
+        low: f32,
+        high: f32,
+    ) -> f32 {
         let written = if default.is_some() { self.get(name) } else { self.require(resolver, name) };
         let otherwise = default.unwrap_or(low);
         written.map_or(otherwise, |value| resolver.number(value, Some((low, high))).unwrap_or(otherwise))
@@ -100,7 +107,8 @@ impl<'v> Fields<'v> {
         let unknown = self.fields.iter().filter(|f| !self.asked.contains(&f.name.text));
         for Field { name, .. } in unknown {
             let place = resolver.place(&name.span);
-            let problem = Diagnostic::error(format!("{} has no field `{}`", self.owner, name.text)).at(place, "");
+            let problem =
+                Diagnostic::error(format!("{} has no field `{}`", self.owner, name.text)).at(place, "");
             resolver.push(problem.suggest(&name.text, self.asked.iter().map(String::as_str)));
         }
     }

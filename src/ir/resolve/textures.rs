@@ -43,7 +43,13 @@ impl<'a> Resolver<'a> {
         self.varying(value, Type::F32, false, Some(range))
     }
 
-    fn varying(&mut self, value: &scene::Value, want: Type, is_color: bool, range: Option<(f32, f32)>) -> Value {
+    fn varying(
+        &mut self,
+        value: &scene::Value,
+        want: Type,
+        is_color: bool,
+        range: Option<(f32, f32)>,
+    ) -> Value {
         let stand_in = Const::from_numbers(want, &vec![range.map_or(0.0, |r| r.0); want.size()]);
         let stand_in = Value::Const(stand_in.expect("as many numbers as the type has"));
         match &value.kind {
@@ -62,7 +68,9 @@ impl<'a> Resolver<'a> {
                     let message = format!("\"{text}\" is neither a color nor a declared texture");
                     let place = self.place(&value.span);
                     let mut problem = Diagnostic::error(message).at(place, "").suggest(text, declared);
-                    problem.help.push("colors are \"#rrggbb\", \"#rgb\" or a CSS name such as \"tomato\"".into());
+                    problem
+                        .help
+                        .push("colors are \"#rrggbb\", \"#rgb\" or a CSS name such as \"tomato\"".into());
                     self.push(problem);
                     stand_in
                 }
@@ -117,7 +125,8 @@ impl<'a> Resolver<'a> {
             return Some(known);
         }
         if let Some(from) = self.pending.iter().position(|p| p == name) {
-            let circle: Vec<String> = self.pending[from..].iter().chain([&name.to_owned()]).cloned().collect();
+            let circle: Vec<String> =
+                self.pending[from..].iter().chain([&name.to_owned()]).cloned().collect();
             let message = format!("texture \"{name}\" is made of itself");
             self.error(span, message).help.push(format!("the circle is {}", circle.join(" → ")));
             return None;
@@ -226,7 +235,10 @@ impl<'a> Resolver<'a> {
             Some(function) => self.call(function, value),
             None => {
                 let name = record.name.as_ref().map_or("", |n| &n.text);
-                self.error(&value.span, format!("`{name}` is a texture: `at` wants a mapping, which moves the point"));
+                self.error(
+                    &value.span,
+                    format!("`{name}` is a texture: `at` wants a mapping, which moves the point"),
+                );
                 None
             }
         }

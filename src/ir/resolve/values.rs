@@ -26,7 +26,9 @@ impl Resolver<'_> {
             return None;
         }
         let x = x as f32;
-        if let Some((low, high)) = range && !(low..=high).contains(&x) {
+        if let Some((low, high)) = range
+            && !(low..=high).contains(&x)
+        {
             self.error(&value.span, format!("{x} is out of range: {low} to {high}"));
             return None;
         }
@@ -113,7 +115,9 @@ impl Resolver<'_> {
             return self.number(value, range).map(|n| vec![n]);
         }
         match &value.kind {
-            Kind::Tuple(items) if items.len() == size => items.iter().map(|i| self.number(i, range)).collect(),
+            Kind::Tuple(items) if items.len() == size => {
+                items.iter().map(|i| self.number(i, range)).collect()
+            }
             Kind::List(items) if items.len() == size => {
                 let problem = self.error(&value.span, "a vector is written in parentheses");
                 problem.help.push("replace [ ] by ( )".into());

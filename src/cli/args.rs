@@ -1,0 +1,132 @@
+//! What can be asked for on the command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::gpu::{AdapterChoice, View};
+
+/// A playground for procedural, ray-traced scenes.
+#[derive(Parser)]
+#[command(
+    version,
+    about,
+    max_term_width = 100,
+    arg_required_else_help = true,
+    after_help = "\
+Examples:
+  raytoy view scenes/table.ron                 open a scene; edit it in any editor and see each save
+  raytoy render scenes/glass.ron -o glass.png  draw a scene to a file
+  raytoy check scenes/                         tell all mistakes in all scenes
+  raytoy textures Brick                        what Brick takes"
+)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Subcommand)]
+pub enum Command {
+    /// Open a scene in a window; each save of it shows at once
+    View(ViewOptions),
+    /// Draw scenes to PNG or EXR files
+    Render(RenderOptions),
+    /// Tell all mistakes in scenes and in texture or shape files
+    Check {
+        /// Scenes, .wgsl files, or folders of them
+        #[arg(required = true, value_name = "PATH")]
+        paths: Vec<PathBuf>,
+    },
+    /// Print the shader of a scene, the scene's own functions first
+    Generate {
+        /// A scene, or - for standard input
+        scene: PathBuf,
+        /// Read the scene's numbers from a uniform buffer, as the window does
+        #[arg(long)]
+        live: bool,
+        /// Where to write it, standard output unless told
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
+    /// List the textures and mappings, or tell all about one
+    Textures { name: Option<String> },
+    /// List the shapes, or tell all about one
+    Shapes { name: Option<String> },
+    /// Print completions for a shell
+    Completions { shell: clap_complete::Shell },
+}
+
+#[derive(Args)]
+pub struct ViewOptions {
+    /// The scene
+    pub scene: PathBuf,
+    /// Size of the window
+    #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
+    pub size: [u32; 2],
+    /// fastest, software, or a part of its name
+    #[arg(long, default_value = "fastest", value_parser = adapter)]
+    pub adapter: AdapterChoice,
+    /// Print a line of JSON for each thing that happens, for programs that drive raytoy
+    #[arg(long)]
+    pub events: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  raytoy render scenes/table.ron -o table.png --size 1920x1080 --samples 16
+  raytoy render scenes/table.ron -o normals.png --view normal
+  raytoy render scenes/table.ron -o table.exr     linear light, depth Z and object index, 32-bit floats
+  raytoy render scenes/*.ron -o gallery/          a picture for each scene
+  cat scene.ron | raytoy render - -o - > picture.png")]
+pub struct RenderOptions {
+    /// Scenes, or - for standard input
+    #[arg(required = true, value_name = "SCENE")]
+    pub scenes: Vec<PathBuf>,
+    /// A .png or .exr file, a folder, or - for a PNG on standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// Width and height of the picture
+    #[arg(long, value_name = "WxH", default_value = "960x540", value_parser = size)]
+    pub size: [u32; 2],
+    /// Samples for each pixel; one goes through its centre
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=65536))]
+    pub samples: u32,
+    /// Seconds since the scene began
+    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
+    pub time: f32,
+    /// color, normal, depth, position, uv, object, material, bounces or shadow
+    #[arg(long, value_name = "NAME", default_value = "color", value_parser = view)]
+    pub view: View,
+    /// Read the scene's numbers from a uniform buffer, as the window does, instead of writing them out
+    #[arg(long)]
+    pub live: bool,
+    /// Write the adapter, the shader's size and the milliseconds of each stage as JSON
+    #[arg(long, value_name = "FILE")]
+    pub stats: Option<PathBuf>,
+    /// fastest, software, or a part of its name
+    #[arg(long, default_value = "fastest", value_parser = adapter)]
+    pub adapter: AdapterChoice,
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let parsed = text.split_once(['x', 'X']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    let sensible = |size: &[u32; 2]| size.iter().all(|n| (1..=32768).contains(n));
+    parsed.filter(sensible).ok_or_else(|| "a size is width x height in pixels, such as 960x540".into())
+}
+
+fn view(text: &str) -> Result<View, String> {
+    let found = View::ALL.iter().find(|(name, _)| *name == text);
+    found.map(|(_, view)| *view).ok_or_else(|| {
+        let names = View::ALL.map(|(name, _)| name);
+        format!("the views are {}", names.join(", "))
+    })
+}
+
+fn adapter(text: &str) -> Result<AdapterChoice, String> {
+    Ok(match text {
+        "fastest" => AdapterChoice::Fastest,
+        "software" => AdapterChoice::Software,
+        name => AdapterChoice::Named(name.into()),
+    })
+}

@@ -1,0 +1,112 @@
+//! `raytoy check`: all mistakes of scenes and snippets, in both number modes.
+
+use std::path::{Path, PathBuf};
+
+use super::{Failure, Result, print_report, sources_for};
+use crate::diagnostic::Report;
+use crate::library::{Family, Library, Type};
+use crate::sources::Sources;
+use crate::wgsl::Mode;
+use crate::{Outcome, compile};
+
+pub fn run(paths: &[PathBuf]) -> Result {
+    let mut files = vec![];
+    for path in paths {
+        if path.is_dir() {
+            collect(path, &mut files)?;
+        } else if path == Path::new("-") || path.exists() {
+            files.push(path.clone());
+        } else {
+            return Err(Failure::Call(format!("there is no file or folder `{}`", path.display())));
+        }
+    }
+    let mut wrong = 0;
+    for file in &files {
+        let outcome = check(file)?;
+        print_report(&outcome.report);
+        wrong += usize::from(outcome.compiled.is_none());
+    }
+    match (files.len(), wrong) {
+        (0, _) => Err(Failure::Call("there are no .ron or .wgsl files".into())),
+        (1, 0) => Ok(eprintln!("{} is right", files[0].display())),
+        (n, 0) => Ok(eprintln!("all {n} files are right")),
+        (n, wrong) => {
+            eprintln!("{wrong} of {n} files with mistakes");
+            Err(Failure::Scene)
+        }
+    }
+}
+
+/// The scenes and snippets below `folder`, sorted.
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> Result {
+    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder)?.flatten().map(|entry| entry.path()).collect();
+    entries.sort();
+    for path in entries {
+        let hidden = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
+        if path.is_dir() && !hidden {
+            collect(&path, files)?;
+        } else if path.extension().is_some_and(|e| e == "ron") || is_snippet(&path) {
+            files.push(path);
+        }
+    }
+    Ok(())
+}
+
+/// Whether `path` is a texture's or a shape's file.
+fn is_snippet(path: &Path) -> bool {
+    let folder = path.parent().and_then(Path::file_name);
+    let is_family = folder.is_some_and(|f| f == "textures" || f == "shapes");
+    path.extension().is_some_and(|e| e == "wgsl") && is_family
+}
+
+fn check(file: &Path) -> Result<Outcome> {
+    let sources = sources_for(file)?;
+    if file.extension().is_some_and(|e| e == "wgsl") {
+        return check_snippet(sources, file);
+    }
+    let baked = compile(&sources, file, Mode::Baked, None);
+    // The live text differs only in how it prints numbers, so it has nothing to add to a scene's mistakes.
+    let live = baked.compiled.as_ref().map(|_| compile(&sources, file, Mode::Live, None));
+    Ok(live.filter(|outcome| outcome.compiled.is_none()).unwrap_or(baked))
+}
+
+/// Compiles the smallest scene that uses the snippet.
+fn check_snippet(sources: Sources, file: &Path) -> Result<Outcome> {
+    let family =
+        if file.parent().is_some_and(|f| f.ends_with("shapes")) { Family::Shape } else { Family::Texture };
+    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+    let name: String = stem.split('_').map(|word| word[..1].to_uppercase() + &word[1..]).collect();
+    let folder = file.parent().and_then(Path::parent).unwrap_or(Path::new(""));
+    let library = Library::new(&sources, folder);
+    let function = match library.find(family, &name) {
+        Ok(function) => function,
+        Err(problems) => {
+            let report = Report { diagnostics: problems.unwrap_or_default(), texts: sources.texts() };
+            return Ok(Outcome { compiled: None, report });
+        }
+    };
+    let required = function.parameters.iter().enumerate().filter(|(_, p)| p.default.is_none());
+    let arguments: Vec<String> =
+        required.map(|(i, p)| format!("{}: {}", p.name, stand_in(p.ty, i))).collect();
+    let call = format!("{name}({})", arguments.join(", "));
+    let object = match function.kind {
+        crate::library::Kind::Shape => call,
+        crate::library::Kind::Mapping => format!("Sphere(material: (color: Noise(at: {call})))"),
+        _ => format!("Sphere(material: (color: {call}))"),
+    };
+    let scene = folder.join("-");
+    let sources = sources.with(&scene, &format!("(objects: [{object}])"));
+    Ok(compile(&sources, &scene, Mode::Baked, None))
+}
+
+/// A value of type `ty` in RON, another one for each parameter, so that no two points coincide.
+fn stand_in(ty: Type, index: usize) -> String {
+    let x = index + 1;
+    match ty {
+        Type::Bool => "true".into(),
+        Type::F32 | Type::I32 | Type::U32 => x.to_string(),
+        Type::Vec2 => format!("({x}, {})", x * x),
+        Type::Vec3 => format!("({x}, {}, 1)", x * x),
+        Type::Vec4 => format!("({x}, {}, 1, 1)", x * x),
+    }
+}

@@ -1,0 +1,124 @@
+//! The command line: arguments in, text and files out, and an exit code. The only printer.
+//!
+//! Results go to stdout, talk to stderr. The code is 0, or 1 where a scene is wrong, or 2 where the call is.
+
+mod args;
+mod check;
+mod generate;
+mod list;
+mod render;
+mod stats;
+mod view;
+
+use std::io::{IsTerminal, Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser};
+
+use self::args::{Arguments, Command};
+use crate::diagnostic::{Report, Severity};
+use crate::library::Family;
+use crate::sources::Sources;
+use crate::wgsl::Mode;
+use crate::{Compiled, compile};
+
+/// Why a command did not do what it was asked for.
+pub enum Failure {
+    /// A scene is wrong; the report has been printed.
+    Scene,
+    /// The call is wrong, or the machine: what to tell.
+    Call(String),
+}
+
+type Result<T = ()> = std::result::Result<T, Failure>;
+
+impl<E: std::error::Error> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Failure::Call(error.to_string())
+    }
+}
+
+/// Runs the program with the arguments of the process.
+pub fn run() -> ExitCode {
+    let done = match Arguments::parse().command {
+        Command::View(options) => view::run(&options),
+        Command::Render(options) => render::run(&options),
+        Command::Check { paths } => check::run(&paths),
+        Command::Generate { scene, live, output } => generate::run(&scene, live, output.as_deref()),
+        Command::Textures { name } => list::run(Family::Texture, name.as_deref()),
+        Command::Shapes { name } => list::run(Family::Shape, name.as_deref()),
+        Command::Completions { shell } => {
+            clap_complete::generate(shell, &mut Arguments::command(), "raytoy", &mut std::io::stdout());
+            Ok(())
+        }
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure::Scene) => ExitCode::from(1),
+        Err(Failure::Call(why)) => {
+            eprintln!("raytoy: {why}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// The files of this machine, with standard input as the file `-` where `scene` is that.
+fn sources_for(scene: &Path) -> Result<Sources> {
+    let sources = Sources::on_disk(&std::env::current_dir()?);
+    if scene != Path::new("-") {
+        return Ok(sources);
+    }
+    let mut text = String::new();
+    std::io::stdin().read_to_string(&mut text)?;
+    Ok(sources.with("-", &text))
+}
+
+/// Compiles `scene` and prints what there is to say about it.
+fn compiled(scene: &Path, mode: Mode) -> Result<Compiled> {
+    if scene != Path::new("-") && !scene.exists() {
+        return Err(Failure::Call(format!("there is no file `{}`", scene.display())));
+    }
+    let outcome = compile(&sources_for(scene)?, scene, mode, None);
+    print_report(&outcome.report);
+    outcome.compiled.ok_or(Failure::Scene)
+}
+
+fn print_report(report: &Report) {
+    if report.diagnostics.is_empty() {
+        return;
+    }
+    let color = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    eprint!("{}", report.render(color));
+    let count = |severity, noun: &str| match report.count(severity) {
+        0 => None,
+        1 => Some(format!("1 {noun}")),
+        n => Some(format!("{n} {noun}s")),
+    };
+    let counts: Vec<String> = [count(Severity::Error, "error"), count(Severity::Warning, "warning")]
+        .into_iter()
+        .flatten()
+        .collect();
+    eprintln!("{}", counts.join(", "));
+}
+
+/// Writes to a file, or to standard output where `path` is `-`.
+fn write_output(path: &Path, bytes: &[u8]) -> Result {
+    let written = if path == Path::new("-") {
+        let mut out = std::io::stdout().lock();
+        out.write_all(bytes).and_then(|()| out.flush())
+    } else {
+        std::fs::write(path, bytes)
+    };
+    match written {
+        // Whoever reads has seen enough: `raytoy textures | head`.
+        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
+        Err(error) => Err(Failure::Call(format!("cannot write `{}`: {error}", path.display()))),
+        Ok(()) => Ok(()),
+    }
+}
+
+/// Writes text to standard output.
+fn print_result(text: &str) -> Result {
+    write_output(&PathBuf::from("-"), text.as_bytes())
+}
