@@ -1,4 +1,4 @@
-// What changes from one picture to the next: the camera, the clock, the mouse. Filled by gpu/frame.rs.
+// What changes from one picture to the next: the camera, the clock, the mouse. Filled by gpu/uniforms.rs.
 
 struct Frame {
     /// The camera's place, world space.

@@ -8,24 +8,21 @@ struct Light {
     reach: f32,
     /// What arrives where nothing is in the way: color · intensity · falloff.
     arriving: vec3f,
-    /// Half axes of the light's area; zero for a light without size.
+    /// Radius of a round light, which shows its disk; negative for a parallelogram.
+    radius: f32,
+    /// Half the sides of a parallelogram.
     u: vec3f,
     v: vec3f,
-    /// An ellipse over u and v, or a parallelogram.
-    round: bool,
 }
 
 /// A ball of light, or a point where radius is 0.
 fn pointLight(p: vec3f, position: vec3f, radius: f32, color: vec3f) -> Light {
-    let to = position - p;
-    let facing = frameAround(normalize(to));
-    return Light(to, 1.0, color, radius * facing[0], radius * facing[1], true);
+    return Light(position - p, 1.0, color, radius, vec3f(0.0), vec3f(0.0));
 }
 
 /// Light that travels along `direction`, from a disk of the sky whose half angle has `spread` as its tangent.
 fn directionalLight(direction: vec3f, spread: f32, color: vec3f) -> Light {
-    let facing = frameAround(-direction);
-    return Light(-direction, NO_HIT, color, spread * facing[0], spread * facing[1], true);
+    return Light(-direction, NO_HIT, color, spread, vec3f(0.0), vec3f(0.0));
 }
 
 /// A point light that shines into a cone, full inside the cosine `inner`, dark outside `outer`.
@@ -46,7 +43,7 @@ fn spotLight(
 
 /// A shining parallelogram.
 fn rectLight(p: vec3f, corner: vec3f, u: vec3f, v: vec3f, color: vec3f) -> Light {
-    return Light(corner + 0.5 * (u + v) - p, 1.0, color, 0.5 * u, 0.5 * v, false);
+    return Light(corner + 0.5 * (u + v) - p, 1.0, color, -1.0, 0.5 * u, 0.5 * v);
 }
 
 /// The same light, weaker by the square of its distance.
@@ -56,10 +53,30 @@ fn inverseSquare(light: Light) -> Light {
     return weaker;
 }
 
-/// From the point to the light at a place of its area, given in the unit square.
-fn towards(light: Light, place: vec2f) -> vec3f {
-    let angle = 6.2831853 * place.y;
-    let disk = sqrt(place.x) * vec2f(cos(angle), sin(angle));
-    let on = select(2.0 * place - 1.0, disk, light.round);
-    return light.to + on.x * light.u + on.y * light.v;
+/// The share of `light` that reaches `origin`.
+fn visibleShare(light: Light, origin: vec3f) -> f32 {
+    let rays = frame.shadow_samples + zero;
+    let n = select(rays, min(rays, 1u), light.radius == 0.0);
+    if n == 0u {
+        return 1.0;
+    }
+    let round = light.radius >= 0.0;
+    let facing = frameAround(normalize(light.to));
+    let u = select(light.u, light.radius * facing[0], round);
+    let v = select(light.v, light.radius * facing[1], round);
+    // Another turn of the points in each pixel. Its angles are not quite even, which nobody sees.
+    let turn = vec2f(f32(seed & 0xffffu), f32(seed >> 16u)) / 65536.0;
+    var spoke = normalize(turn - 0.5 + 1e-6);
+    var open = 0.0;
+    for (var i = 0u; i < n; i++) {
+        // A sunflower's seeds on the disk (Vogel, 1979), the R2 sequence on the parallelogram
+        // (Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018).
+        spoke = vec2f(-0.73736888 * spoke.x - 0.67549029 * spoke.y, 0.67549029 * spoke.x - 0.73736888 * spoke.y);
+        let disk = sqrt((f32(i) + turn.x) / f32(n)) * spoke;
+        let square = 2.0 * fract(turn + f32(i) * vec2f(0.7548776662, 0.5698402910)) - 1.0;
+        let on = select(square, disk, round);
+        let ray = Ray(origin, 0.0, light.to + on.x * u + on.y * v, light.reach);
+        open += select(1.0, 0.0, sceneBlocks(ray));
+    }
+    return open / f32(n);
 }

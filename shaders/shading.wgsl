@@ -29,26 +29,6 @@ fn spawnPoint(p: vec3f, normal: vec3f, t: f32) -> vec3f {
     return p + SPAWN_ERROR * size * normal;
 }
 
-/// The share of `light` that reaches `origin`.
-fn visibleShare(light: Light, origin: vec3f) -> f32 {
-    let sized = dot(light.u, light.u) > 0.0;
-    let rays = frame.shadow_samples + zero;
-    let n = select(min(rays, 1u), rays, sized);
-    if n == 0u {
-        return 1.0;
-    }
-    let turn = vec2f(f32(seed & 0xffffu), f32(seed >> 16u)) / 65536.0;
-    var open = 0.0;
-    for (var i = 0u; i < n; i++) {
-        // The R2 sequence, turned by another amount in each pixel
-        // (Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018).
-        let place = fract(turn + f32(i) * vec2f(0.7548776662, 0.5698402910));
-        let ray = Ray(origin, 0.0, towards(light, place), light.reach);
-        open += select(1.0, 0.0, sceneBlocks(ray));
-    }
-    return open / f32(n);
-}
-
 /// The light that `material` at world point `p` sends along `v`. `n` faces the viewer.
 fn shade(p: vec3f, origin: vec3f, n: vec3f, v: vec3f, material: Material) -> Shade {
     var sum = material.emission + ambientLight() * material.color;

@@ -15,24 +15,21 @@ struct Branch {
     depth: u32,
 }
 
-/// What a pixel sees: its light, and for the debug views what its first ray met.
+/// What a pixel sees: its light, and what its first ray met.
 struct Seen {
     radiance: vec3f,
     /// Along the first ray, scene units; negative where it leaves the scene.
     depth: f32,
+    /// What a debug view shows of the first surface.
+    value: vec3f,
     object: u32,
-    placed: Placed,
-    /// The surface's color without any light.
-    albedo: vec3f,
-    visibility: f32,
     /// Depth of the deepest ray.
     bounces: u32,
 }
 
 /// Follows a ray of length 1 from `origin` and all that it splits into.
 fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
-    let nowhere = placed(surface(vec3f(0.0), vec3f(0.0), vec2f(0.0)));
-    var seen = Seen(vec3f(0.0), -1.0, NO_OBJECT, nowhere, vec3f(0.0), 0.0, 0u);
+    var seen = Seen(vec3f(0.0), -1.0, vec3f(0.0), NO_OBJECT, 0u);
     var waiting: array<Branch, MAX_WAITING>;
     var waits = 0u;
     var branch = Branch(origin, 1.0, direction, 0.0, 0u);
@@ -59,10 +56,7 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             if depth == 0u {
                 seen.depth = hit.t;
                 seen.object = hit.object;
-                seen.placed = met;
-                seen.placed.normal = n;
-                seen.albedo = material.color;
-                seen.visibility = shaded.visibility;
+                seen.value = surfaceView(met.at, n, material.color, shaded.visibility);
             }
 
             let mirror = mirrored(material, clamp(dot(n, v), 0.0, 1.0));
@@ -91,7 +85,7 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             follows = follows || (TRANSMITS && deeper && refraction >= MIN_WEIGHT);
         }
         if !follows {
-            if waits == 0u {
+            if !TRANSMITS || waits == 0u {
                 break;
             }
             waits--;

@@ -1,4 +1,4 @@
-// What the picture shows: the light, or one of the values behind it. Numbered as View in gpu/frame.rs.
+// What the picture shows: the light, or one of the values behind it. Numbered as View in gpu/uniforms.rs.
 
 const VIEW_COLOR: u32 = 0u;
 const VIEW_NORMAL: u32 = 1u;
@@ -18,23 +18,32 @@ fn falseColor(index: u32) -> vec3f {
     return mix(vec3f(0.35), wheel, 0.75);
 }
 
+/// What the views of a surface show of the first one that a pixel meets; `n` faces the viewer.
+fn surfaceView(at: Surface, n: vec3f, albedo: vec3f, visibility: f32) -> vec3f {
+    switch frame.view + zero {
+        case VIEW_NORMAL: { return 0.5 + 0.5 * n; }
+        case VIEW_POSITION: { return fract(at.world); }
+        case VIEW_UV: { return vec3f(fract(at.uv), 0.0); }
+        case VIEW_MATERIAL: { return albedo; }
+        case VIEW_SHADOW: { return vec3f(visibility); }
+        default: { return vec3f(0.0); }
+    }
+}
+
 /// The picture's value of the chosen view: a color, and with VIEW_OBJECT the object's index, else the depth.
 fn viewed(seen: Seen) -> vec4f {
-    let at = seen.placed.at;
-    let met = select(0.0, 1.0, seen.object != NO_OBJECT);
+    let met = seen.object != NO_OBJECT;
     switch frame.view + zero {
-        case VIEW_NORMAL: { return vec4f(met * (0.5 + 0.5 * seen.placed.normal), seen.depth); }
-        case VIEW_DEPTH: { return vec4f(vec3f(met / (1.0 + 0.1 * max(seen.depth, 0.0))), seen.depth); }
-        case VIEW_POSITION: { return vec4f(met * fract(at.world), seen.depth); }
-        case VIEW_UV: { return vec4f(met * vec3f(fract(at.uv), 0.0), seen.depth); }
-        case VIEW_OBJECT: {
-            return vec4f(met * falseColor(seen.object), select(-1.0, f32(seen.object), met > 0.0));
+        case VIEW_COLOR: { return vec4f(seen.radiance, seen.depth); }
+        case VIEW_DEPTH: {
+            return vec4f(vec3f(select(0.0, 1.0, met) / (1.0 + 0.1 * max(seen.depth, 0.0))), seen.depth);
         }
-        case VIEW_MATERIAL: { return vec4f(met * seen.albedo, seen.depth); }
+        case VIEW_OBJECT: {
+            return select(vec4f(vec3f(0.0), -1.0), vec4f(falseColor(seen.object), f32(seen.object)), met);
+        }
         case VIEW_BOUNCES: {
             return vec4f(vec3f(f32(seen.bounces) / f32(max(frame.max_bounces, 1u))), seen.depth);
         }
-        case VIEW_SHADOW: { return vec4f(vec3f(met * seen.visibility), seen.depth); }
-        default: { return vec4f(seen.radiance, seen.depth); }
+        default: { return vec4f(seen.value, seen.depth); }
     }
 }

@@ -17,6 +17,8 @@
 //! assert!(outcome.compiled.unwrap().source.generated().contains("fn rayTraceScene"));
 //! ```
 
+pub mod app;
+pub mod cli;
 pub mod diagnostic;
 pub mod gpu;
 pub mod ir;
@@ -24,10 +26,8 @@ pub mod library;
 pub mod module;
 pub mod scene;
 pub mod sources;
+pub mod watch;
 pub mod wgsl;
-//pub mod watch;
-pub mod app;
-pub mod cli;
 
 use std::path::Path;
 use std::time::{Duration, Instant};

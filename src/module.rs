@@ -41,17 +41,14 @@ pub fn validate(source: &Source) -> Result<Module, Diagnostic> {
         let mut chain: Vec<String> = vec![];
         let mut cause: Option<&dyn std::error::Error> = Some(error.as_inner());
         while let Some(error) = cause {
-            chain.push(lower(&error.to_string()));
+            chain.push(readable(&lower(&error.to_string())));
             cause = error.source();
         }
         let message = chain.pop().unwrap_or_default();
         let mut problem = Diagnostic::error(message);
-        // The innermost place comes last.
-        let spans: Vec<_> = error.spans().collect();
-        for (span, _) in spans.into_iter().rev() {
-            if let Some(range) = span.to_range() {
-                problem = problem.at(place(source, range), "");
-            }
+        // The innermost place comes last, after the function that it is in.
+        if let Some(range) = error.spans().last().and_then(|(span, _)| span.to_range()) {
+            problem = problem.at(place(source, range), "");
         }
         if let Some(context) = chain.into_iter().next() {
             problem = problem.help(format!("naga says: {context}"));
@@ -75,6 +72,28 @@ fn explained(problem: Diagnostic) -> Diagnostic {
         }
         _ => problem,
     }
+}
+
+/// What naga says in its own terms, in those of WGSL.
+fn readable(message: &str) -> String {
+    if message.starts_with("the `return` expression") {
+        return "the value that is returned does not have the type that the function declares".into();
+    }
+    let mut text = message.to_owned();
+    for (kind, letter) in [("Float", "f"), ("Sint", "i"), ("Uint", "u")] {
+        let scalar = format!("Scalar {{ kind: {kind}, width: 4 }}");
+        for (size, n) in [("Bi", 2), ("Tri", 3), ("Quad", 4)] {
+            let vector = format!("Vector {{ size: {size}, scalar: {scalar} }}");
+            text = text.replace(&format!("(of type {vector})"), &format!("`vec{n}{letter}`"));
+        }
+        text = text.replace(&format!("(of type Scalar({scalar}))"), &format!("`{letter}32`"));
+    }
+    // naga numbers its expressions and functions: `[4] (of type …)`, `[12] 'brick'`.
+    let words = text.split(' ').filter(|word| {
+        let number = word.strip_prefix('[').and_then(|w| w.strip_suffix(']'));
+        number.is_none_or(|n| n.parse::<u32>().is_err())
+    });
+    words.collect::<Vec<_>>().join(" ")
 }
 
 fn lower(message: &str) -> String {

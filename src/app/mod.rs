@@ -1,12 +1,38 @@
-//! The window.
+//! The window: a scene that shows each save at once, and keeps its last good picture.
+//!
+//! In: a scene's path. Out: a window, until it is closed. Three threads stand behind it, and only ever send:
+//!
+//! ```text
+//! watcher ─► builder (compile, make the pipeline) ─► painter (draw) ─► window (show, ask for another look)
+//! ```
+
+mod builder;
+mod camera;
+mod events;
+mod painter;
+mod panel;
+mod screen;
+mod window;
+
 use std::path::PathBuf;
+
+pub use events::Event;
+
+use crate::gpu::AdapterChoice;
+
+/// What to open.
+#[derive(Clone, Debug)]
 pub struct Options {
     pub scene: PathBuf,
+    /// Of the window's inside, in points.
     pub size: [u32; 2],
-    pub adapter: crate::gpu::AdapterChoice,
+    pub adapter: AdapterChoice,
 }
-#[derive(serde::Serialize)]
-pub enum Event {}
-pub fn run(_o: Options, _e: &dyn Fn(&Event)) -> Result<(), String> {
-    Ok(())
+
+/// Opens a window and returns when it is closed. `on_event` is told what happens, for programs that drive raytoy.
+///
+/// # Errors
+/// Where there is no display or no GPU: what to tell the user.
+pub fn run(options: Options, on_event: &dyn Fn(&Event)) -> Result<(), String> {
+    window::run(options, on_event)
 }

@@ -90,7 +90,8 @@ pub struct RenderOptions {
     #[arg(long, value_name = "WxH", default_value = "960x540", value_parser = size)]
     pub size: [u32; 2],
     /// Samples for each pixel; one goes through its centre
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=65536))]
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=65536))]
     pub samples: u32,
     /// Seconds since the scene began
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Failure, Result, print_report, sources_for};
 use crate::diagnostic::Report;
-use crate::library::{Family, Library, Type};
+use crate::library::{Family, Library, Type, name_of};
 use crate::sources::Sources;
 use crate::wgsl::Mode;
 use crate::{Outcome, compile};
@@ -75,7 +75,7 @@ fn check_snippet(sources: Sources, file: &Path) -> Result<Outcome> {
     let family =
         if file.parent().is_some_and(|f| f.ends_with("shapes")) { Family::Shape } else { Family::Texture };
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-    let name: String = stem.split('_').map(|word| word[..1].to_uppercase() + &word[1..]).collect();
+    let name = name_of(&stem);
     let folder = file.parent().and_then(Path::parent).unwrap_or(Path::new(""));
     let library = Library::new(&sources, folder);
     let function = match library.find(family, &name) {

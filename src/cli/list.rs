@@ -52,7 +52,8 @@ fn overview(library: &Library<'_>, family: Family) -> Result<String> {
         writeln!(text, "{name:<16} {kind}{caption}").expect("a String takes all text");
     }
     if family == Family::Texture {
-        text += "Ramp             color    Colors at places of a pattern: Ramp(by: Noise(), stops: [(0, \"#000\"), (1, \"#fff\")])\n";
+        text += "Ramp             color    Colors at places of a pattern: ";
+        text += "Ramp(by: Noise(), stops: [(0, \"#000\"), (1, \"#fff\")])\n";
     }
     Ok(text)
 }

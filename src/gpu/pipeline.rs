@@ -56,20 +56,10 @@ impl Pipeline {
 fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
     let device = &gpu.device;
     gpu.count_pipeline();
-    let checks = wgpu::ShaderRuntimeChecks {
-        force_loop_bounding: std::env::var("LB").is_err(),
-        bounds_checks: std::env::var("BC").is_err(),
-        ..wgpu::ShaderRuntimeChecks::checked()
-    };
-    let module = unsafe {
-        device.create_shader_module_trusted(
-            wgpu::ShaderModuleDescriptor {
-                label: Some(&compiled.scene.name),
-                source: wgpu::ShaderSource::Naga(Cow::Owned(compiled.module.naga().clone())),
-            },
-            checks,
-        )
-    };
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(&compiled.scene.name),
+        source: wgpu::ShaderSource::Naga(Cow::Owned(compiled.module.naga().clone())),
+    });
     let uniform = |binding, size| wgpu::BindGroupLayoutEntry {
         binding,
         visibility: wgpu::ShaderStages::FRAGMENT,

@@ -66,8 +66,11 @@ pub struct Parameter {
 
 /// `WoodGrain` for `wood_grain`.
 pub fn name_of(stem: &str) -> String {
-    let words = stem.split('_').filter(|w| !w.is_empty());
-    words.map(|w| w[..1].to_uppercase() + &w[1..]).collect()
+    let capitalized = |word: &str| {
+        let mut letters = word.chars();
+        letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect::<String>()
+    };
+    stem.split('_').map(capitalized).collect()
 }
 
 /// `wood_grain` for `WoodGrain`.

@@ -211,6 +211,9 @@ impl Header<'_> {
 
     /// All snippets of a scene share one WGSL module, so helpers carry their function's name.
     fn misnamed_helpers(&self) -> Vec<Diagnostic> {
+        if self.signature(&self.wgsl_name).is_none() {
+            return vec![];
+        }
         let starts =
             self.text.match_indices("fn ").filter(|(at, _)| *at == 0 || self.text[..*at].ends_with('\n'));
         let helpers = starts.filter_map(|(at, _)| {

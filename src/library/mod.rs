@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 pub use color::parse_color;
-pub use function::{Function, Kind, Parameter};
+pub use function::{Function, Kind, Parameter, name_of};
 pub use value::{Const, Type};
 
 use crate::diagnostic::{Diagnostic, Place};
@@ -109,7 +109,7 @@ impl<'a> Library<'a> {
             let path = folder.join(family.users_folder()).join(format!("{stem}.wgsl"));
             if let Answer::Text(text) = self.sources.read(&path) {
                 let file = self.sources.name(&path);
-                if built_in.is_some_and(|b| b != &*text) && file != built_in_name {
+                if built_in.is_some_and(|b| b != &*text) {
                     let what = format!("this hides the {} that ships with raytoy", family.noun());
                     let name = function::name_of(stem);
                     let warning = Diagnostic::warning(what)

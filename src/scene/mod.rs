@@ -60,7 +60,7 @@ impl Value {
         match &self.kind {
             Kind::None => "`None`".into(),
             Kind::Bool(b) => format!("`{b}`"),
-            Kind::Number(_) => "a number".into(),
+            Kind::Number(x) => format!("the number {x}"),
             Kind::Text(text) => format!("the string \"{text}\""),
             Kind::Tuple(items) => format!("a vector of {}", items.len()),
             Kind::List(_) => "a list".into(),

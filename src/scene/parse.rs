@@ -15,6 +15,10 @@ pub fn parse(file: &str, text: &str) -> Result<Value, Vec<Diagnostic>> {
     let (document, errors) = ast::parse_document_lossy(text);
     for error in errors {
         reader.syntax(&error);
+        // Beyond the depth limit the parser loses its place, and all that it says after is wrong.
+        if matches!(error.kind(), ErrorKind::ExceededRecursionLimit) {
+            return Err(reader.problems);
+        }
     }
     let value = document.value.as_ref().map(|expr| reader.value(expr));
     match value {
@@ -63,11 +67,19 @@ impl Reader<'_> {
     }
 
     fn advice(&self, kind: &ErrorKind, at: usize) -> Option<String> {
-        let before = self.text.get(..at)?;
+        if self.text.get(at..).is_some_and(|rest| rest.starts_with('{')) {
+            return Some("fields are written in parentheses: `(name: value)`".into());
+        }
+        let is_first = self.problems.is_empty();
+        if let Some(open) = unclosed(self.text).filter(|_| is_first) {
+            return Some(open);
+        }
         match kind {
-            ErrorKind::Eof => unclosed(before),
             ErrorKind::Expected { expected, .. } if expected.contains("comma") || expected.contains(',') => {
                 Some("is a comma missing before this?".into())
+            }
+            ErrorKind::Expected { expected, .. } if expected.contains("closing") && is_first => {
+                Some("is a `:` or a comma missing before this?".into())
             }
             _ => None,
         }
@@ -166,7 +178,8 @@ fn number(raw: &str) -> Option<f64> {
     Some(sign * integer.or_else(|| digits.parse().ok())?)
 }
 
-/// The last bracket that was opened and not closed, to name it. Strings and comments are skipped.
+/// The first bracket that another kind of bracket closes, or the last that nothing closes. Strings and
+/// comments are skipped.
 fn unclosed(text: &str) -> Option<String> {
     let mut open = vec![];
     let mut chars = text.char_indices().peekable();
@@ -185,7 +198,12 @@ fn unclosed(text: &str) -> Option<String> {
                 chars.by_ref().find(|(_, c)| *c == '\n');
             }
             '(' | '[' | '{' => open.push((at, c)),
-            ')' | ']' | '}' => drop(open.pop()),
+            ')' | ']' | '}' => match open.last() {
+                Some((_, '(')) if c == ')' => drop(open.pop()),
+                Some((_, '[')) if c == ']' => drop(open.pop()),
+                Some((_, '{')) if c == '}' => drop(open.pop()),
+                _ => break,
+            },
             _ => {}
         }
     }

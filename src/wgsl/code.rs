@@ -81,13 +81,19 @@ impl Lines {
     }
 }
 
-/// A comment on one line, cut where it is too long.
-pub fn comment(text: &str) -> String {
-    let line = format!("    // {text}");
-    if line.chars().count() <= WIDTH {
-        return line;
+/// A comment on one line, `indent` columns in.
+pub fn comment(indent: usize, text: &str) -> String {
+    one_line(&format!("{:indent$}// {text}", ""))
+}
+
+/// `text` without what ends a line of WGSL, cut where it is too long.
+pub fn one_line(text: &str) -> String {
+    let ends_line = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
+    let line: Vec<char> = text.chars().map(|c| if ends_line(c) { ' ' } else { c }).collect();
+    match line.len() <= WIDTH {
+        true => line.into_iter().collect(),
+        false => line.into_iter().take(WIDTH - 1).chain(['…']).collect(),
     }
-    line.chars().take(WIDTH - 1).chain(['…']).collect()
 }
 
 /// Names after `head`, over as many comment lines as they need; nothing where there are none.
@@ -97,14 +103,14 @@ pub fn list(head: &str, names: &[&str]) -> Lines {
     for (i, name) in names.iter().enumerate() {
         let end = if i + 1 < names.len() { ", " } else { "" };
         if line.len() + name.len() + end.len() > WIDTH && line.len() > head.len() {
-            lines.push(line.trim_end());
+            lines.push(one_line(line.trim_end()));
             line = format!("{:1$}", "//", head.len());
         }
         line += name;
         line += end;
     }
     if !names.is_empty() {
-        lines.push(line.trim_end());
+        lines.push(one_line(line.trim_end()));
     }
     lines
 }

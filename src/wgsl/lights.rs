@@ -15,7 +15,7 @@ impl Writer<'_> {
         lines.push("    switch index {");
         for (index, light) in scene.lights.iter().enumerate() {
             let code = self.light(light);
-            lines.push(format!("    {}", self.caption(&format!("lights[{index}]: "), &light.caption)));
+            lines.push(self.caption(8, &format!("lights[{index}]: "), &light.caption));
             lines.statement(8, &format!("case {index}u: {{ return "), &code, "; }");
         }
         lines.push("        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }");

@@ -119,19 +119,18 @@ impl<'a> Writer<'a> {
     }
 
     /// `caption` as a comment: the author's words, but in live mode not the numbers, which may change.
-    fn caption(&self, head: &str, caption: &str) -> String {
+    fn caption(&self, indent: usize, head: &str, caption: &str) -> String {
         let name_only = caption.split('(').next().unwrap_or(caption);
         let words = if self.mode == Mode::Live { name_only } else { caption };
-        code::comment(&format!("{head}{words}"))
+        code::comment(indent, &format!("{head}{words}"))
     }
 
     fn header(&self) -> Lines {
         let mut lines = Lines::default();
-        lines.push(format!(
-            "// Generated from {}. Do not edit: change the scene, or a file in",
-            self.scene.name
-        ));
-        lines.push("// shapes/ or textures/, and this is written again.");
+        lines.push(code::one_line(&format!("// Generated from {}", self.scene.name)));
+        lines.push(
+            "// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.",
+        );
         lines.push("//");
         let names: Vec<&str> = self.scene.objects.iter().map(|o| o.name.as_str()).collect();
         lines.extend(code::list("//   objects   ", &names));

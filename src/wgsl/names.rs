@@ -6,11 +6,15 @@ use std::collections::BTreeSet;
 #[derive(Default)]
 pub struct Names(BTreeSet<String>);
 
+/// The most letters that an author's name lends to an identifier.
+const LONGEST: usize = 24;
+
 impl Names {
     /// `OBJECT_LEG_1` for "leg 1".
     pub fn constant(&mut self, prefix: &str, name: &str) -> String {
         let words = words(name);
         let tail = if words.is_empty() { "X".into() } else { words.join("_").to_uppercase() };
+        let tail = tail[..tail.len().min(LONGEST)].trim_end_matches('_');
         self.unique(&format!("{prefix}_{tail}"), "_")
     }
 
@@ -30,6 +34,7 @@ impl Names {
         if !camel.starts_with(|c: char| c.is_ascii_alphabetic()) {
             camel.insert(0, 'x');
         }
+        camel.truncate(LONGEST);
         self.unique(&(camel + suffix), "")
     }
 

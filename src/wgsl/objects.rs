@@ -46,8 +46,7 @@ impl Writer<'_> {
 
     fn object_caption(&self, index: usize) -> String {
         let object = &self.scene.objects[index];
-        let name = object.name.escape_default();
-        self.caption(&format!("objects[{index}] \"{name}\": "), &object.caption)
+        self.caption(4, &format!("objects[{index}] \"{}\": ", object.name), &object.caption)
     }
 
     fn closest(&self, written: &[Written]) -> Lines {

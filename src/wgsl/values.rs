@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::Writer;
-use super::code::{Code, Lines};
+use super::code::{self, Code, Lines};
 use crate::ir::{Call, Ramp, Value};
 use crate::library::Type;
 
@@ -88,7 +88,7 @@ impl Writer<'_> {
             let value = self.value(&texture.value, "at", &mut body, 4);
             let ty = if texture.ty == Type::F32 { "f32" } else { "vec3f" };
             lines.push("");
-            lines.push(format!("/// textures: \"{}\"", texture.name.escape_default()));
+            lines.push(code::one_line(&format!("/// textures: \"{}\"", texture.name)));
             lines.push(format!("fn {}(at: Surface) -> {ty} {{", self.texture_names[index]));
             lines.extend(body.lines);
             lines.statement(4, "return ", &value, ";");

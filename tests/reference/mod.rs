@@ -32,7 +32,7 @@ pub use self::{hit::nearest_hit, scene::Scene, shapes::Shape, surface::outward_n
 use std::panic::resume_unwind;
 use std::thread;
 
-use self::shade::Ray;
+use self::shade::{Ray, facing_normal};
 use self::vector::Vec3;
 
 const THREADS: usize = 2;
@@ -47,6 +47,8 @@ pub struct Picture {
     pub radiance: Vec<[f64; 3]>,
     /// The distance along the primary ray of length 1; infinity where it leaves the scene.
     pub depth: Vec<f64>,
+    /// The unit normal at the hit, turned towards the eye; zero where the ray leaves the scene.
+    pub normal: Vec<[f64; 3]>,
     /// The place of the object seen among the file's objects; -1 where the ray leaves the scene.
     pub object: Vec<i64>,
 }
@@ -68,6 +70,7 @@ pub fn render(scene_text: &str, width: usize, height: usize) -> Result<Picture, 
         display: pixels.iter().map(|pixel| display(pixel.radiance)).collect(),
         radiance: pixels.iter().map(|pixel| pixel.radiance.0).collect(),
         depth: pixels.iter().map(|pixel| pixel.depth).collect(),
+        normal: pixels.iter().map(|pixel| pixel.normal.0).collect(),
         object: pixels.iter().map(|pixel| pixel.object).collect(),
     })
 }
@@ -75,6 +78,7 @@ pub fn render(scene_text: &str, width: usize, height: usize) -> Result<Picture, 
 struct Pixel {
     radiance: Vec3,
     depth: f64,
+    normal: Vec3,
     object: i64,
 }
 
@@ -85,6 +89,7 @@ fn pixel(scene: &Scene, i: usize, j: usize, width: usize, height: usize) -> Pixe
     Pixel {
         radiance: scene.radiance(ray, hit.as_ref(), 0, 1.0),
         depth: hit.as_ref().map_or(f64::INFINITY, |hit| hit.t),
+        normal: hit.as_ref().map_or(Vec3::ZERO, |hit| facing_normal(ray, hit)),
         object: hit.as_ref().map_or(-1, |hit| hit.object.index as i64),
     }
 }

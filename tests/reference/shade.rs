@@ -39,6 +39,11 @@ struct Point<'a> {
     view: Vec3,
 }
 
+/// The world normal at a hit, turned to face the ray.
+pub fn facing_normal(ray: Ray, hit: &Hit) -> Vec3 {
+    Point::new(ray, hit).normal
+}
+
 impl Object {
     fn hit(&self, origin: Vec3, direction: Vec3, t_max: f64) -> Option<f64> {
         let origin = self.transform.point_to_object(origin);

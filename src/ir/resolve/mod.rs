@@ -8,7 +8,7 @@ mod reader;
 mod textures;
 mod values;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use glam::Vec3;
 
@@ -50,6 +50,8 @@ struct Resolver<'a> {
     declared: BTreeMap<&'a str, &'a scene::Value>,
     /// Names of the textures that are being resolved, outermost first.
     pending: Vec<String>,
+    /// Names of the textures that are made of themselves, and reported.
+    circular: BTreeSet<String>,
     textures: Vec<Texture>,
     materials: Vec<Material>,
     /// Indices of the materials that have a name.
@@ -65,6 +67,7 @@ impl<'a> Resolver<'a> {
             problems: vec![],
             declared: BTreeMap::new(),
             pending: vec![],
+            circular: BTreeSet::new(),
             textures: vec![],
             materials: vec![],
             named_materials: BTreeMap::new(),

@@ -18,9 +18,11 @@ const MOST_OBJECTS: usize = 4096;
 impl Resolver<'_> {
     pub fn objects(&mut self, written: Option<&scene::Value>, root: &scene::Value) -> Vec<Object> {
         let Some(written) = written else {
-            self.error(&root.span, "the scene has no `objects`")
-                .help
-                .push("write `objects: [ Sphere() ]`".into());
+            // What has no fields at all has been reported.
+            if matches!(root.kind, Kind::Record(_)) {
+                let problem = self.error(&root.span, "the scene has no `objects`");
+                problem.help.push("write `objects: [ Sphere() ]`".into());
+            }
             return vec![];
         };
         let Kind::List(items) = &written.kind else {
@@ -113,7 +115,11 @@ impl Resolver<'_> {
     fn scale(&mut self, value: &scene::Value) -> Vec3 {
         let scale = match value.kind {
             Kind::Number(_) => self.number(value, None).map(Vec3::splat),
-            _ => self.vector(value),
+            Kind::Tuple(_) | Kind::List(_) => self.vector(value),
+            _ => {
+                self.mismatch(value, "a number or a vector (x, y, z)");
+                None
+            }
         };
         let scale = scale.unwrap_or(Vec3::ONE);
         if scale.abs().min_element() < 1e-6 {
@@ -126,11 +132,12 @@ impl Resolver<'_> {
     }
 
     fn bounds(&mut self, written: &scene::Value) -> Option<(Vec3, Vec3)> {
+        let before = self.problems.len();
         let mut fields = Fields::of(self, written, "`bounds`");
         let min = fields.vector(self, "min", None);
         let max = fields.vector(self, "max", None);
         fields.finish(self);
-        if min.cmpge(max).any() {
+        if self.problems.len() == before && min.cmpge(max).any() {
             self.error(&written.span, "`min` must be below `max`");
             return None;
         }

@@ -23,7 +23,10 @@ impl<'v> Fields<'v> {
         let fields = match &value.kind {
             Kind::Record(record) if record.items.is_empty() => record.fields.as_slice(),
             _ => {
-                let found = value.describe();
+                let found = match &value.kind {
+                    Kind::Record(_) => "values without names".into(),
+                    _ => value.describe(),
+                };
                 let problem = resolver.error(&value.span, format!("{owner} is written with named fields"));
                 problem.help.push(format!("write `name: value` pairs in parentheses; found {found}"));
                 &[]

@@ -125,6 +125,10 @@ impl<'a> Resolver<'a> {
             return Some(known);
         }
         if let Some(from) = self.pending.iter().position(|p| p == name) {
+            if self.circular.contains(name) {
+                return None;
+            }
+            self.circular.extend(self.pending[from..].iter().cloned());
             let circle: Vec<String> =
                 self.pending[from..].iter().chain([&name.to_owned()]).cloned().collect();
             let message = format!("texture \"{name}\" is made of itself");

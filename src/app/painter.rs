@@ -1,0 +1,359 @@
+//! The thread that draws: a coarse picture at once, then samples until it is fine, in slices, so that any
+//! wish of the window is heard within a tenth of a second.
+
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::{Duration, Instant};
+
+use super::builder::{Built, Version};
+use super::events::Change;
+use crate::Compiled;
+use crate::diagnostic::Report;
+use crate::gpu::{Display, Gpu, GpuError, Moment, Pipeline, Target, Tracer, View, sample_offset};
+use crate::ir::Camera;
+
+/// What the window wants to see.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// Pixels.
+    pub size: [u32; 2],
+    /// None for the scene's own.
+    pub camera: Option<Camera>,
+    pub view: View,
+    /// Pixels from the top left.
+    pub mouse: [f32; 2],
+}
+
+/// Something for the painter to do.
+pub enum Wish {
+    Built(Built),
+    Look(Look),
+    /// The last picture is on the screen.
+    Shown,
+}
+
+/// Something for the window to show.
+pub enum Notice {
+    Picture(Picture),
+    /// Numbers can be edited without another pipeline; how many were made so far.
+    Ready {
+        pipelines: u32,
+    },
+    /// The scene is wrong; nothing else changes.
+    Broken(Report),
+    /// The GPU failed.
+    Failed(GpuError),
+}
+
+/// A picture and where it came from.
+pub struct Picture {
+    pub texels: Texels,
+    pub edit: u64,
+    pub change: Change,
+    pub samples: u32,
+    pub resolution: f32,
+    pub pipelines: u32,
+    pub noticed: Instant,
+    pub pipeline_time: Duration,
+    /// Of one sample at the shown resolution.
+    pub frame_time: Duration,
+    pub compiled: Arc<Compiled>,
+    pub warnings: Report,
+}
+
+/// How the picture gets to the window.
+pub enum Texels {
+    /// On the window's own device.
+    Shared(wgpu::Texture),
+    /// From a device of its own: a software driver compiles while it draws, and would stop the window.
+    Bytes { size: [u32; 2], rgba: Vec<u8> },
+}
+
+pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// No slice of a picture takes much longer.
+const SLICE: Duration = Duration::from_millis(60);
+/// A picture that takes longer than this to draw starts coarse.
+const PROMPT: Duration = Duration::from_millis(50);
+/// A still picture is done with this many samples.
+const SAMPLES: u32 = 64;
+
+/// On a device of its own the painter lets the window show a picture before it takes the processor again, but
+/// does not wait longer than this.
+const COURTESY: Duration = Duration::from_millis(100);
+
+/// Starts the thread. `shares_device`: whether textures of `gpu` can be shown by the window.
+pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'static) -> Sender<Wish> {
+    let (sender, receiver) = channel();
+    std::thread::spawn(move || {
+        let display = Display::new(&gpu, FORMAT);
+        let look = Look { size: [0, 0], camera: None, view: View::Color, mouse: [0.0; 2] };
+        let mut painter = Painter {
+            gpu,
+            shares_device,
+            display,
+            notify: Box::new(notify),
+            scene: None,
+            look,
+            tracer: None,
+            coarseness: 1,
+            rows_done: 0,
+            sample_started: Instant::now(),
+            nanos_per_pixel: 0.0,
+            shown: Instant::now(),
+            waits_until: None,
+            started: Instant::now(),
+        };
+        painter.run(&receiver);
+    });
+    sender
+}
+
+/// A scene on the GPU.
+struct Scene {
+    version: Box<Version>,
+    baked: Option<Pipeline>,
+    live: Option<Pipeline>,
+    /// Whether the live pipeline has drawn, in which some drivers compile.
+    is_warm: bool,
+    edit: u64,
+    /// Whether a snippet reads the clock, or the mouse.
+    moves: bool,
+    reads_mouse: bool,
+}
+
+impl Scene {
+    /// The baked pipeline until a number is edited, then the live one.
+    fn pipeline(&self) -> &Pipeline {
+        let pipeline = self.baked.as_ref().or(self.live.as_ref());
+        pipeline.expect("a scene comes with a baked pipeline, and loses it only to a live one")
+    }
+}
+
+struct Painter {
+    gpu: Gpu,
+    shares_device: bool,
+    display: Display,
+    notify: Box<dyn Fn(Notice)>,
+    scene: Option<Scene>,
+    look: Look,
+    tracer: Option<Tracer>,
+    /// Screen pixels to one of the picture being drawn.
+    coarseness: u32,
+    rows_done: u32,
+    sample_started: Instant,
+    /// What a pixel cost lately; 0 while unknown.
+    nanos_per_pixel: f64,
+    shown: Instant,
+    /// When to go on although the window has not shown the last picture.
+    waits_until: Option<Instant>,
+    started: Instant,
+}
+
+impl Painter {
+    fn run(&mut self, receiver: &Receiver<Wish>) {
+        loop {
+            if self.is_done() {
+                match receiver.recv() {
+                    Ok(wish) => self.grant(wish),
+                    Err(_) => return,
+                }
+            }
+            receiver.try_iter().for_each(|wish| self.grant(wish));
+            if let Some(until) = self.waits_until {
+                match receiver.recv_timeout(until.saturating_duration_since(Instant::now())) {
+                    Ok(wish) => self.grant(wish),
+                    Err(_) => self.waits_until = None,
+                }
+                continue;
+            }
+            if self.is_done() {
+                continue;
+            }
+            let done = if self.needs_warming() { self.warm_up() } else { self.draw_slice() };
+            if let Err(error) = done {
+                (self.notify)(Notice::Failed(error));
+                return;
+            }
+        }
+    }
+
+    fn is_done(&self) -> bool {
+        let Some(scene) = &self.scene else { return true };
+        let complete = self.tracer.as_ref().is_some_and(|t| t.samples() >= SAMPLES) && self.coarseness == 1;
+        let is_visible = !self.look.size.contains(&0);
+        !is_visible || (complete && !scene.moves && !self.needs_warming())
+    }
+
+    /// Whether a live pipeline waits for its first draw, and the author already sees the scene.
+    fn needs_warming(&self) -> bool {
+        let is_shown = self.rows_done == 0 && self.coarseness == 1;
+        let has_samples = self.tracer.as_ref().is_some_and(|t| t.samples() > 0);
+        is_shown && has_samples && self.scene.as_ref().is_some_and(|s| s.live.is_some() && !s.is_warm)
+    }
+
+    /// Draws a row that the next sample will draw over.
+    fn warm_up(&mut self) -> Result<(), GpuError> {
+        let (Some(scene), Some(tracer)) = (&mut self.scene, &mut self.tracer) else { return Ok(()) };
+        let Some(live) = &scene.live else { return Ok(()) };
+        let compiled = &scene.version.compiled;
+        tracer.draw(live, &Moment::of(&compiled.scene), &compiled.scene.render, [0.0; 2], 0..1);
+        self.gpu.wait()?;
+        scene.is_warm = true;
+        (self.notify)(Notice::Ready { pipelines: self.gpu.pipelines_made() });
+        Ok(())
+    }
+
+    fn grant(&mut self, wish: Wish) {
+        match wish {
+            Wish::Shown => self.waits_until = None,
+            Wish::Look(look) => {
+                let reads_mouse = self.scene.as_ref().is_some_and(|s| s.reads_mouse);
+                let is_other =
+                    look != Look { mouse: look.mouse, ..self.look } || (reads_mouse && look != self.look);
+                self.look = look;
+                if is_other {
+                    self.restart();
+                }
+            }
+            Wish::Built(Built::Broken(report)) => (self.notify)(Notice::Broken(report)),
+            Wish::Built(Built::Scene(version)) => self.take(version),
+            Wish::Built(Built::Live(pipeline)) => {
+                if let Some(scene) = &mut self.scene {
+                    scene.live = Some(pipeline);
+                    scene.is_warm = false;
+                }
+            }
+        }
+    }
+
+    fn take(&mut self, mut version: Box<Version>) {
+        let before = self.scene.take();
+        let edit = before.as_ref().map_or(0, |scene| scene.edit + 1);
+        let baked = version.baked.take();
+        if baked.is_some() {
+            self.nanos_per_pixel = 0.0;
+        }
+        let snippets = version.compiled.source.sections.iter().filter(|s| !s.name.starts_with("shaders/"));
+        let reads = |what: &str| snippets.clone().any(|s| s.text.contains(what));
+        let (moves, reads_mouse) = (reads("frame.time"), reads("frame.mouse"));
+        let fresh = Scene { version, baked, live: None, is_warm: false, edit, moves, reads_mouse };
+        let scene = match (before, fresh.version.change) {
+            (Some(before), Change::Numbers) => Scene { live: before.live, is_warm: true, ..fresh },
+            (Some(before), Change::Cosmetic) => {
+                Scene { baked: before.baked, live: before.live, is_warm: before.is_warm, ..fresh }
+            }
+            _ => fresh,
+        };
+        if let (Some(live), Change::Numbers) = (&scene.live, scene.version.change) {
+            live.upload(&self.gpu, &scene.version.compiled.source.numbers);
+        }
+        self.scene = Some(scene);
+        self.restart();
+    }
+
+    /// Begins a new picture, coarse where a fine one would keep the window waiting.
+    fn restart(&mut self) {
+        let pixels = f64::from(self.look.size[0]) * f64::from(self.look.size[1]);
+        let predicted = self.nanos_per_pixel * pixels / PROMPT.as_nanos() as f64;
+        self.begin((predicted.sqrt().ceil() as u32).clamp(1, 8));
+    }
+
+    fn begin(&mut self, coarseness: u32) {
+        self.coarseness = coarseness;
+        self.rows_done = 0;
+        if let Some(tracer) = &mut self.tracer {
+            tracer.restart();
+        }
+    }
+
+    fn draw_slice(&mut self) -> Result<(), GpuError> {
+        let scene = self.scene.as_ref().expect("is_done has looked");
+        let size = self.look.size.map(|n| n.div_ceil(self.coarseness));
+        if self.tracer.as_ref().is_none_or(|t| t.size() != size) {
+            self.tracer = Some(Tracer::new(&self.gpu, size)?);
+            self.rows_done = 0;
+        }
+        let tracer = self.tracer.as_mut().expect("it was just made");
+        let row_nanos = self.nanos_per_pixel * f64::from(size[0]);
+        // Nothing is known of a new pipeline: a few rows tell, and let a driver compile.
+        let rows = if row_nanos == 0.0 { 4 } else { (SLICE.as_nanos() as f64 / row_nanos) as u32 };
+        let end = self.rows_done.saturating_add(rows.max(1)).min(size[1]);
+        let compiled = &scene.version.compiled;
+        let mut moment = Moment::of(&compiled.scene);
+        moment.camera = self.look.camera.unwrap_or(moment.camera);
+        moment.view = self.look.view;
+        moment.mouse = self.look.mouse.map(|x| x / self.coarseness as f32);
+        moment.time = if scene.moves { self.started.elapsed().as_secs_f32() } else { 0.0 };
+        if self.rows_done == 0 {
+            self.sample_started = Instant::now();
+        }
+        let begun = Instant::now();
+        let jitter = sample_offset(tracer.samples(), SAMPLES);
+        tracer.draw(scene.pipeline(), &moment, &compiled.scene.render, jitter, self.rows_done..end);
+        self.gpu.wait()?;
+        let known = self.nanos_per_pixel > 0.0;
+        let nanos =
+            begun.elapsed().as_nanos() as f64 / (f64::from(size[0]) * f64::from(end - self.rows_done));
+        // The first slice of a pipeline holds the driver's compile time, so it only stands in until the next.
+        let is_probe = !known && self.rows_done == 0;
+        self.nanos_per_pixel = if is_probe { 20.0 } else { 0.5 * (self.nanos_per_pixel + nanos) };
+        self.rows_done = end;
+        if end == size[1] {
+            self.finish_sample()?;
+        }
+        Ok(())
+    }
+
+    fn finish_sample(&mut self) -> Result<(), GpuError> {
+        let tracer = self.tracer.as_mut().expect("it has drawn a sample");
+        tracer.next();
+        self.rows_done = 0;
+        let samples = tracer.samples();
+        let frame_time = self.sample_started.elapsed();
+        let is_first = samples == 1;
+        let is_last = samples == SAMPLES;
+        if is_first || is_last || self.shown.elapsed() > Duration::from_millis(100) {
+            self.show(samples, frame_time)?;
+        }
+        let moves = self.scene.as_ref().is_some_and(|s| s.moves);
+        if moves {
+            self.begin(self.coarseness);
+            std::thread::sleep(Duration::from_millis(15).saturating_sub(frame_time));
+        } else if self.coarseness > 1 {
+            self.begin(1);
+        }
+        Ok(())
+    }
+
+    fn show(&mut self, samples: u32, frame_time: Duration) -> Result<(), GpuError> {
+        let scene = self.scene.as_ref().expect("it has been drawn");
+        let tracer = self.tracer.as_ref().expect("it has drawn a sample");
+        let canvas = self.display.canvas(tracer.picture(), FORMAT);
+        let target = canvas.create_view(&Default::default());
+        let whole = Target { corner: [0.0; 2], zoom: 1.0 };
+        let version = &scene.version;
+        self.display.draw(tracer.picture(), self.look.view, &version.compiled.scene.render, &target, whole);
+        let texels = if self.shares_device {
+            Texels::Shared(canvas)
+        } else {
+            Texels::Bytes { size: tracer.size(), rgba: self.display.read(&canvas)? }
+        };
+        self.shown = Instant::now();
+        self.waits_until = (!self.shares_device).then(|| Instant::now() + COURTESY);
+        (self.notify)(Notice::Picture(Picture {
+            texels,
+            edit: scene.edit,
+            change: version.change,
+            samples,
+            resolution: 1.0 / self.coarseness as f32,
+            pipelines: self.gpu.pipelines_made(),
+            noticed: version.noticed,
+            pipeline_time: version.pipeline_time,
+            frame_time,
+            compiled: version.compiled.clone(),
+            warnings: version.warnings.clone(),
+        }));
+        Ok(())
+    }
+}

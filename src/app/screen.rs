@@ -1,0 +1,166 @@
+//! The window's surface: the picture and egui on it.
+
+use std::sync::Arc;
+
+use winit::window::Window;
+
+use super::painter::{FORMAT, Texels};
+use crate::gpu::{AdapterChoice, Gpu};
+
+/// A surface with what draws on it.
+pub struct Screen {
+    pub gpu: Gpu,
+    surface: wgpu::Surface<'static>,
+    config: wgpu::SurfaceConfiguration,
+    egui: egui_wgpu::Renderer,
+    /// The picture, kept for as long as egui shows it.
+    picture: Option<(egui::TextureId, wgpu::Texture)>,
+}
+
+impl Screen {
+    /// # Errors
+    /// Where no GPU can draw on the window: what to tell the user.
+    pub fn new(
+        window: Arc<Window>,
+        display: winit::event_loop::OwnedDisplayHandle,
+        choice: &AdapterChoice,
+    ) -> Result<Self, String> {
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_with_display_handle_from_env(
+            Box::new(display),
+        ));
+        let size = window.inner_size();
+        let surface = instance.create_surface(window).map_err(|e| e.to_string())?;
+        let gpu = Gpu::open(&instance, choice, Some(&surface)).map_err(|e| e.to_string())?;
+        let config = surface.get_default_config(&gpu.adapter, size.width.max(1), size.height.max(1));
+        let mut config = config.ok_or("the GPU cannot draw on this window")?;
+        // egui blends in the screen's own encoding.
+        let formats = surface.get_capabilities(&gpu.adapter).formats;
+        config.format = egui_wgpu::preferred_framebuffer_format(&formats).map_err(|e| e.to_string())?;
+        // Pictures come when something has changed, so there is no need to wait for the screen's beat.
+        config.present_mode = wgpu::PresentMode::AutoNoVsync;
+        config.desired_maximum_frame_latency = 1;
+        surface.configure(&gpu.device, &config);
+        let options = egui_wgpu::RendererOptions { dithering: false, ..Default::default() };
+        let egui = egui_wgpu::Renderer::new(&gpu.device, config.format, options);
+        Ok(Self { gpu, surface, config, egui, picture: None })
+    }
+
+    pub fn resize(&mut self, width: u32, height: u32) {
+        if width > 0 && height > 0 {
+            self.config.width = width;
+            self.config.height = height;
+            self.surface.configure(&self.gpu.device, &self.config);
+        }
+    }
+
+    /// What egui calls the picture.
+    pub fn picture(&self) -> Option<egui::TextureId> {
+        self.picture.as_ref().map(|(id, _)| *id)
+    }
+
+    pub fn set_picture(&mut self, texels: Texels) {
+        let Gpu { device, queue, .. } = &self.gpu;
+        let texture = match texels {
+            Texels::Shared(texture) => texture,
+            Texels::Bytes { size: [width, height], rgba } => {
+                let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
+                let old = self.picture.as_ref().map(|(_, texture)| texture).filter(|t| t.size() == size);
+                let texture = old.cloned().unwrap_or_else(|| picture_texture(device, size));
+                let layout = wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(4 * width),
+                    rows_per_image: None,
+                };
+                queue.write_texture(texture.as_image_copy(), &rgba, layout, size);
+                texture
+            }
+        };
+        let view = texture.create_view(&Default::default());
+        let filter = wgpu::FilterMode::Linear;
+        let id = match self.picture() {
+            Some(id) => {
+                self.egui.update_egui_texture_from_wgpu_texture(device, &view, filter, id);
+                id
+            }
+            None => self.egui.register_native_texture(device, &view, filter),
+        };
+        self.picture = Some((id, texture));
+    }
+
+    /// Draws what egui has laid out; whether it is on the screen now.
+    pub fn present(
+        &mut self,
+        context: &egui::Context,
+        mut output: egui::FullOutput,
+        window: &Window,
+    ) -> bool {
+        let Gpu { device, queue, .. } = &self.gpu;
+        let points = output.pixels_per_point;
+        let jobs = context.tessellate(std::mem::take(&mut output.shapes), points);
+        let screen = egui_wgpu::ScreenDescriptor {
+            size_in_pixels: [self.config.width, self.config.height],
+            pixels_per_point: points,
+        };
+        for (id, deltas) in output.textures_delta.set.drain() {
+            deltas.iter().for_each(|delta| self.egui.update_texture(device, queue, id, delta));
+        }
+        let mut encoder = device.create_command_encoder(&Default::default());
+        let mut commands = self.egui.update_buffers(device, queue, &mut encoder, &jobs, &screen);
+        let target = self.next_target();
+        if let Some(target) = &target {
+            let view = target.texture.create_view(&Default::default());
+            let attachment = wgpu::RenderPassColorAttachment {
+                view: &view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                    store: wgpu::StoreOp::Store,
+                },
+            };
+            let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                color_attachments: &[Some(attachment)],
+                ..Default::default()
+            });
+            self.egui.render(&mut pass.forget_lifetime(), &jobs, &screen);
+        }
+        commands.push(encoder.finish());
+        self.gpu.queue.submit(commands);
+        for id in output.textures_delta.free.drain() {
+            self.egui.free_texture(&id);
+        }
+        let Some(target) = target else { return false };
+        window.pre_present_notify();
+        self.gpu.queue.present(target);
+        true
+    }
+
+    fn next_target(&self) -> Option<wgpu::SurfaceTexture> {
+        use wgpu::CurrentSurfaceTexture::{Lost, Outdated, Suboptimal, Success};
+        match self.surface.get_current_texture() {
+            Success(target) => Some(target),
+            Suboptimal(target) => Some(target),
+            Outdated | Lost => {
+                self.surface.configure(&self.gpu.device, &self.config);
+                match self.surface.get_current_texture() {
+                    Success(target) | Suboptimal(target) => Some(target),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+}
+
+fn picture_texture(device: &wgpu::Device, size: wgpu::Extent3d) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("picture"),
+        size,
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: FORMAT,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    })
+}

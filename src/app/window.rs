@@ -1,0 +1,234 @@
+//! The window's thread: winit's events in, wishes out. It never compiles, draws a scene or waits for the GPU.
+
+use std::sync::Arc;
+use std::sync::mpsc::Sender;
+use std::time::{Duration, Instant};
+
+use winit::application::ApplicationHandler;
+use winit::event::{StartCause, WindowEvent};
+use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
+use winit::window::{Window, WindowId};
+
+use super::Options;
+use super::builder::{self, Order};
+use super::events::Event;
+use super::painter::{self, Look, Notice, Picture, Wish};
+use super::panel::Panel;
+use super::screen::Screen;
+use crate::diagnostic::{Diagnostic, Report, Severity};
+use crate::gpu::Gpu;
+
+/// Opens the window and returns when it is closed.
+pub fn run(options: Options, on_event: &dyn Fn(&Event)) -> Result<(), String> {
+    let events = EventLoop::<Notice>::with_user_event().build().map_err(|error| {
+        format!("no window can be opened: {error}\nwithout a display, draw to a file: raytoy render SCENE -o out.png")
+    })?;
+    let proxy = events.create_proxy();
+    let mut app = App { options, on_event, proxy, open: None, failure: None, blocked: Duration::ZERO };
+    events.run_app(&mut app).map_err(|error| error.to_string())?;
+    app.failure.map_or(Ok(()), Err)
+}
+
+struct App<'a> {
+    options: Options,
+    on_event: &'a dyn Fn(&Event),
+    proxy: EventLoopProxy<Notice>,
+    open: Option<Open>,
+    /// Why the window had to close.
+    failure: Option<String>,
+    /// The longest event since the last picture.
+    blocked: Duration,
+}
+
+/// What exists while the window does.
+struct Open {
+    window: Arc<Window>,
+    screen: Screen,
+    context: egui::Context,
+    input: egui_winit::State,
+    panel: Panel,
+    look: Option<Look>,
+    builder: Sender<Order>,
+    painter: Sender<Wish>,
+    /// A picture that was set and not presented yet.
+    fresh: Option<Event>,
+    noticed: Option<Instant>,
+    last_edit: Option<u64>,
+    wake: Option<Instant>,
+}
+
+impl App<'_> {
+    fn open(&self, event_loop: &ActiveEventLoop) -> Result<Open, String> {
+        let [width, height] = self.options.size;
+        let attributes = Window::default_attributes()
+            .with_title("raytoy")
+            .with_inner_size(winit::dpi::LogicalSize::new(width, height));
+        let window = Arc::new(event_loop.create_window(attributes).map_err(|e| e.to_string())?);
+        let screen = Screen::new(window.clone(), event_loop.owned_display_handle(), &self.options.adapter)?;
+        // A software driver compiles while it draws, so the picture gets a device of its own.
+        let shares_device = !screen.gpu.is_software();
+        let gpu = if shares_device {
+            screen.gpu.clone()
+        } else {
+            Gpu::headless(&self.options.adapter).map_err(|e| e.to_string())?
+        };
+        let adapter = gpu.describe();
+        let proxy = self.proxy.clone();
+        // A loop that has ended wants no more pictures.
+        let painter =
+            painter::start(gpu.clone(), shares_device, move |notice| drop(proxy.send_event(notice)));
+        let wishes = painter.clone();
+        let builder = builder::start(gpu, move |built| drop(wishes.send(Wish::Built(built))));
+        let _ = builder.send(Order::Open(self.options.scene.clone()));
+        let context = egui::Context::default();
+        context.set_theme(egui::Theme::Dark);
+        let side = screen.gpu.device.limits().max_texture_dimension_2d as usize;
+        let input =
+            egui_winit::State::new(context.clone(), egui::ViewportId::ROOT, &*window, None, None, Some(side));
+        let panel = Panel::new(&self.options.scene, screen.gpu.adapter.get_info().name);
+        (self.on_event)(&Event::Opened { adapter });
+        Ok(Open {
+            window,
+            screen,
+            context,
+            input,
+            panel,
+            look: None,
+            builder,
+            painter,
+            fresh: None,
+            noticed: None,
+            last_edit: None,
+            wake: None,
+        })
+    }
+
+    /// Keeps the longest time that the thread was busy with one event.
+    fn timed(&mut self, work: impl FnOnce(&mut Self)) {
+        let begun = Instant::now();
+        work(self);
+        self.blocked = self.blocked.max(begun.elapsed());
+    }
+
+    fn redraw(&mut self) {
+        let Some(open) = &mut self.open else { return };
+        let presented = open.draw();
+        if presented {
+            let _ = open.painter.send(Wish::Shown);
+        }
+        if presented && let Some(mut event) = open.fresh.take() {
+            if let Event::Presented { since_change_ms, blocked_ms, .. } = &mut event {
+                *since_change_ms = open.noticed.map_or(0.0, |at| at.elapsed().as_secs_f64() * 1e3);
+                *blocked_ms = self.blocked.as_secs_f64() * 1e3;
+            }
+            self.blocked = Duration::ZERO;
+            (self.on_event)(&event);
+        }
+    }
+}
+
+impl ApplicationHandler<Notice> for App<'_> {
+    fn resumed(&mut self, event_loop: &ActiveEventLoop) {
+        if self.open.is_some() {
+            return;
+        }
+        match self.open(event_loop) {
+            Ok(open) => self.open = Some(open),
+            Err(why) => {
+                self.failure = Some(why);
+                event_loop.exit();
+            }
+        }
+    }
+
+    fn user_event(&mut self, _: &ActiveEventLoop, notice: Notice) {
+        self.timed(|app| {
+            let Some(open) = &mut app.open else { return };
+            match notice {
+                Notice::Picture(picture) => open.take(picture),
+                Notice::Ready { pipelines } => return (app.on_event)(&Event::Ready { pipelines }),
+                Notice::Broken(report) => {
+                    let errors = report.count(Severity::Error);
+                    (app.on_event)(&Event::Broken { errors, text: report.to_string() });
+                    open.panel.break_with(report);
+                }
+                Notice::Failed(error) => {
+                    let diagnostics = vec![Diagnostic::error(error.to_string())];
+                    open.panel.break_with(Report { diagnostics, ..Report::default() });
+                }
+            }
+            open.window.request_redraw();
+        });
+    }
+
+    fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        self.timed(|app| {
+            let Some(open) = &mut app.open else { return };
+            let response = open.input.on_window_event(&open.window, &event);
+            match event {
+                WindowEvent::CloseRequested => event_loop.exit(),
+                WindowEvent::Resized(size) => {
+                    open.screen.resize(size.width, size.height);
+                    open.window.request_redraw();
+                }
+                WindowEvent::RedrawRequested => app.redraw(),
+                _ if response.repaint => open.window.request_redraw(),
+                _ => {}
+            }
+        });
+    }
+
+    fn new_events(&mut self, _: &ActiveEventLoop, cause: StartCause) {
+        if let (StartCause::ResumeTimeReached { .. }, Some(open)) = (cause, &mut self.open) {
+            open.wake = None;
+            open.window.request_redraw();
+        }
+    }
+
+    fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
+        let wake = self.open.as_ref().and_then(|open| open.wake);
+        event_loop.set_control_flow(wake.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
+    }
+}
+
+impl Open {
+    fn take(&mut self, picture: Picture) {
+        let is_new_edit = self.last_edit != Some(picture.edit);
+        self.last_edit = Some(picture.edit);
+        self.panel.take(&picture, is_new_edit);
+        self.noticed = Some(picture.noticed);
+        self.fresh = Some(Event::Presented {
+            edit: picture.edit,
+            change: picture.change,
+            samples: picture.samples,
+            resolution: picture.resolution,
+            pipelines: picture.pipelines,
+            since_change_ms: 0.0,
+            blocked_ms: 0.0,
+        });
+        self.window.set_title(&format!("{} - raytoy", picture.compiled.scene.name));
+        self.screen.set_picture(picture.texels);
+    }
+
+    /// Lays out and presents; whether the screen shows it.
+    fn draw(&mut self) -> bool {
+        let input = self.input.take_egui_input(&self.window);
+        let shown = self.screen.picture();
+        let mut reply = None;
+        let mut output = self.context.run_ui(input, |ui| reply = Some(self.panel.show(ui, shown)));
+        if let Some(reply) = reply {
+            if let Some(scene) = reply.open {
+                let _ = self.builder.send(Order::Open(scene));
+            }
+            if self.look != Some(reply.look) {
+                self.look = Some(reply.look);
+                let _ = self.painter.send(Wish::Look(reply.look));
+            }
+        }
+        let delays = output.viewport_output.values().map(|viewport| viewport.repaint_delay);
+        let delay = delays.min().unwrap_or(Duration::MAX);
+        self.wake = Instant::now().checked_add(delay).filter(|_| delay < Duration::from_secs(3600));
+        self.input.handle_platform_output(&self.window, std::mem::take(&mut output.platform_output));
+        self.screen.present(&self.context, output, &self.window)
+    }
+}

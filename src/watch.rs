@@ -1,0 +1,138 @@
+//! "Something that you depend on changed": the only room that knows notify.
+//!
+//! In: what a compilation asked [`crate::sources::Sources`] for. Out: a call when any of it is no longer so.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::time::{Duration, Instant};
+
+use notify::event::{AccessKind, AccessMode, EventKind};
+use notify::{RecommendedWatcher, RecursiveMode, Watcher as _};
+
+use crate::sources::{Answer, Sources};
+
+/// Files are read once they have been left alone for this long.
+const QUIET: Duration = Duration::from_millis(20);
+/// Whoever never leaves them alone is shown what there is after this long.
+const IMPATIENCE: Duration = Duration::from_millis(250);
+/// Network folders, and systems out of watches, give no events: a look now and then finds the change.
+const LOOK_ANYWAY: Duration = Duration::from_secs(1);
+
+/// Watches the files of the last compilation on a thread of its own, until it is dropped.
+pub struct Watcher {
+    sender: Sender<Message>,
+}
+
+type Asked = BTreeMap<PathBuf, Answer>;
+
+enum Message {
+    Watch(Asked),
+    Stirred,
+}
+
+impl Watcher {
+    /// Calls `changed` from another thread, once for each change, until [`Watcher::watch`] is called again.
+    pub fn new(changed: impl Fn() + Send + 'static) -> Self {
+        let (sender, receiver) = channel();
+        let events = sender.clone();
+        std::thread::spawn(move || run(&receiver, events, &changed));
+        Self { sender }
+    }
+
+    /// Watches what was asked for instead of what was watched before.
+    pub fn watch(&self, asked: Asked) {
+        // The thread ends only with the last sender.
+        let _ = self.sender.send(Message::Watch(asked));
+    }
+}
+
+fn run(receiver: &Receiver<Message>, events: Sender<Message>, changed: &dyn Fn()) {
+    let mut folders = Folders::new(events);
+    let mut asked: Option<Asked> = None;
+    loop {
+        match receiver.recv_timeout(LOOK_ANYWAY) {
+            Ok(Message::Watch(new)) => {
+                folders.follow(&new);
+                asked = Some(new);
+            }
+            Ok(Message::Stirred) => {
+                if let Some(new) = wait_for_quiet(receiver) {
+                    folders.follow(&new);
+                    asked = Some(new);
+                }
+            }
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => return,
+        }
+        if asked.as_ref().is_some_and(differs) {
+            asked = None;
+            changed();
+        }
+    }
+}
+
+/// Waits on the trailing edge of a burst; what is to be watched next, if that came in between.
+fn wait_for_quiet(receiver: &Receiver<Message>) -> Option<Asked> {
+    let begun = Instant::now();
+    let mut next = None;
+    while begun.elapsed() < IMPATIENCE {
+        match receiver.recv_timeout(QUIET) {
+            Ok(Message::Stirred) => {}
+            Ok(Message::Watch(new)) => next = Some(new),
+            Err(_) => break,
+        }
+    }
+    next
+}
+
+/// Whether the disk holds anything else than what was answered.
+fn differs(asked: &Asked) -> bool {
+    let sources = Sources::on_disk(Path::new("/"));
+    asked.iter().any(|(path, answer)| is_file(path) && sources.read(path) != *answer)
+}
+
+/// Standard input, which is called `-`, does not change.
+fn is_file(path: &Path) -> bool {
+    path.file_name().is_some_and(|name| name != "-")
+}
+
+/// The folders under watch. Files are never watched: a watch on a file dies with the first save by rename.
+struct Folders {
+    watcher: Option<RecommendedWatcher>,
+    watched: BTreeSet<PathBuf>,
+}
+
+impl Folders {
+    fn new(events: Sender<Message>) -> Self {
+        let on_event = move |event: notify::Result<notify::Event>| {
+            // Our own reading makes events too, and must not wake us.
+            let is_reading = event.as_ref().is_ok_and(|event| match event.kind {
+                EventKind::Access(AccessKind::Close(AccessMode::Write)) => false,
+                EventKind::Access(_) => true,
+                _ => false,
+            });
+            if !is_reading {
+                let _ = events.send(Message::Stirred);
+            }
+        };
+        Self { watcher: notify::recommended_watcher(on_event).ok(), watched: BTreeSet::new() }
+    }
+
+    fn follow(&mut self, asked: &Asked) {
+        let Some(watcher) = &mut self.watcher else { return };
+        // A file that is missing, in a folder that is missing, shows in the nearest folder that is there.
+        let there = |path: &Path| path.ancestors().skip(1).find(|folder| folder.is_dir()).map(Path::to_owned);
+        let wanted: BTreeSet<PathBuf> =
+            asked.keys().filter(|p| is_file(p)).filter_map(|p| there(p)).collect();
+        for folder in self.watched.difference(&wanted) {
+            // It may be gone, and its watch with it.
+            let _ = watcher.unwatch(folder);
+        }
+        let mut failed = |folder: &PathBuf| watcher.watch(folder, RecursiveMode::NonRecursive).is_err();
+        // A folder that was removed and made again needs a new watch, so all are set each time.
+        let lost: Vec<PathBuf> = wanted.iter().filter(|f| failed(f)).cloned().collect();
+        self.watched = wanted;
+        self.watched.retain(|folder| !lost.contains(folder));
+    }
+}

@@ -1,0 +1,165 @@
+//! raytoy's pictures beside those of an independent renderer in f64: light, depth and object of each pixel.
+
+mod common;
+mod reference;
+
+use common::{expect_compiled, expect_none, outcome_of, picture, read};
+use raytoy::gpu::{Gpu, View};
+use raytoy::wgsl::Mode;
+
+/// The share of pixels that must agree; edges that round the other way, and what mirrors make of them, may not.
+const LEAST_AGREEMENT: f64 = 0.995;
+/// Steps of a channel, 0 to 255.
+const COLOR_TOLERANCE: f64 = 2.0;
+/// Of the distance.
+const DEPTH_TOLERANCE: f64 = 2e-5;
+
+const SIZE: [u32; 2] = [480, 270];
+
+#[test]
+fn gallery_scenes_agree() {
+    let hard = |name: &str| {
+        let text = read(&format!("scenes/{name}.ron"));
+        unfiltered(
+            &text.replace(", radius: 0.4)]", ")]").replace("intensity: 0.7, radius: 0.6", "intensity: 0.7"),
+        )
+    };
+    check_all(["table", "two_suns", "mirror_room", "shapes"].map(|name| (name.to_owned(), hard(name))), SIZE);
+}
+
+#[test]
+fn glass_agrees() {
+    let text = read("scenes/glass.ron").replace("Brick(scale: 2)", "Stripes(scale: 2, even: 0.9, odd: 0.4)");
+    // Where the rod stands on the floor, two surfaces are one, and rounding tells which is seen.
+    let text = text.replace("base: (1.6, 0, 0.5)", "base: (1.6, 0.1, 0.5)");
+    check_all([("glass".to_owned(), unfiltered(&text))], SIZE);
+}
+
+#[test]
+fn lights_agree() {
+    let text = read("tests/cases/lights/kinds.ron");
+    check_all([("lights/kinds".to_owned(), unfiltered(&text))], [320, 180]);
+}
+
+#[test]
+fn random_scenes_agree() {
+    check_all((1..=4).map(|seed| (format!("random {seed}"), random_scene(seed))), [240, 135]);
+}
+
+fn check_all(scenes: impl IntoIterator<Item = (String, String)>, size: [u32; 2]) {
+    let Some(gpu) = common::gpu() else { return };
+    expect_none(scenes.into_iter().flat_map(|(name, text)| check(gpu, &name, &text, size)));
+}
+
+/// What of a scene disagrees, if anything; the shares go to the test's output.
+fn check(gpu: &Gpu, name: &str, text: &str, size: [u32; 2]) -> Vec<String> {
+    let expected = reference::render(text, size[0] as usize, size[1] as usize)
+        .unwrap_or_else(|why| panic!("{name}: {why}\n{text}"));
+    let compiled = expect_compiled(outcome_of("scene.ron", text, Mode::Baked));
+    let actual = picture(gpu, &compiled, size, View::Color);
+    let objects = picture(gpu, &compiled, size, View::Object).depth;
+
+    let channel = |a: u8, b: f64| (f64::from(a) - (b * 255.0).round()).abs() <= COLOR_TOLERANCE;
+    let color = |i: usize| (0..3).all(|c| channel(actual.rgba[4 * i + c], expected.display[i][c]));
+    let same_object = |i: usize| match objects[i].is_finite() {
+        true => objects[i] as i64 == expected.object[i],
+        false => expected.object[i] == -1,
+    };
+    let depth = |i: usize| {
+        let (a, b) = (f64::from(actual.depth[i]), expected.depth[i]);
+        a == b || (a - b).abs() <= DEPTH_TOLERANCE * b
+    };
+    let pixels = expected.depth.len();
+    let share = |is_right: &dyn Fn(usize) -> bool| {
+        (0..pixels).filter(|i| is_right(*i)).count() as f64 / pixels as f64
+    };
+    let shares = [("color", share(&color)), ("object", share(&same_object)), ("depth", share(&depth))];
+    let percent = shares.map(|(what, share)| format!("{what} {:.3} %", share * 100.0)).join(", ");
+    eprintln!("{name}: {percent}");
+    let wrong = shares.into_iter().filter(|(_, share)| *share < LEAST_AGREEMENT);
+    wrong.map(|(what, share)| format!("{name}: {what} agrees in {share:.5} of the pixels only")).collect()
+}
+
+/// The scene with patterns sampled at the pixel's centre, as the reference does it.
+fn unfiltered(text: &str) -> String {
+    if text.contains("render: (") {
+        return text.replace("render: (", "render: (texture_filter: false, ");
+    }
+    let end = text.rfind(')').expect("a scene ends with a bracket");
+    format!("{}render: (texture_filter: false),\n)", &text[..end])
+}
+
+/// A few shapes, moved, turned and stretched, in all the materials that the reference knows, under three lights.
+fn random_scene(seed: u64) -> String {
+    let mut random = Random(seed);
+    let objects: Vec<String> = (0..9).map(|_| random_object(&mut random)).collect();
+    let (x, z) = (random.between(-3.0, 3.0), random.between(7.0, 10.0));
+    let light = format!(
+        "Point(position: {}, intensity: 0.6), Directional(direction: (-1, -2, {:.3}), intensity: 0.4),
+        Spot(position: ({x:.3}, 8, 3), target: (0, 0, 0), cone_deg: 60, blend: 0.2, falloff: InverseSquare, intensity: 30)",
+        random.vector(4.0, 6.0),
+        random.between(-1.0, 1.0),
+    );
+    format!(
+        "(
+    camera: (eye: ({x:.3}, 3, {z:.3}), target: (0, 0.5, 0)),
+    background: Gradient(zenith: \"#5d88c9\", horizon: \"#dfe9f5\"),
+    lights: [{light}],
+    objects: [
+        Quad(corner: (-8, -1.5, -8), u: (16, 0, 0), v: (0, 0, 16), material: (color: Checker(scale: 1, even: 0.7, odd: 0.3), reflectivity: 0.1)),
+        {},
+    ],
+    render: (max_bounces: 4, texture_filter: false),
+)",
+        objects.join(",\n        "),
+    )
+}
+
+fn random_object(random: &mut Random) -> String {
+    const SHAPES: [&str; 9] = [
+        "Sphere(radius: 0.8",
+        "Box(min: (-0.6, -0.5, -0.7)",
+        "RoundedBox(radius: 0.3",
+        "Cylinder(radius: 0.6",
+        "Cone(top_radius: 0.3",
+        "Capsule(radius: 0.4",
+        "Torus(minor_radius: 0.3",
+        "Ellipsoid(radii: (1, 0.5, 0.7)",
+        "Disk(inner_radius: 0.3",
+    ];
+    const MATERIALS: [&str; 4] = [
+        "color: \"tomato\", specular: 0.5",
+        "color: \"#4682b4\", reflectivity: 0.3",
+        "color: 0.1, reflectivity: 0.2, fresnel: 4",
+        "color: 0.1, transmission: 0.8, ior: 1.4",
+    ];
+    format!(
+        "{}, translate: {}, rotate_deg: {}, scale: ({:.3}, {:.3}, {:.3}), material: ({}))",
+        random.one_of(&SHAPES),
+        random.vector(-2.5, 2.5),
+        random.vector(-180.0, 180.0),
+        random.between(0.4, 1.0),
+        random.between(0.4, 1.0),
+        random.between(0.4, 1.0),
+        random.one_of(&MATERIALS),
+    )
+}
+
+/// A linear congruential generator (Knuth's MMIX).
+struct Random(u64);
+
+impl Random {
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        low + (high - low) * (self.0 >> 33) as f64 / (1u64 << 31) as f64
+    }
+
+    fn vector(&mut self, low: f64, high: f64) -> String {
+        let [x, y, z] = [(); 3].map(|()| self.between(low, high));
+        format!("({x:.3}, {y:.3}, {z:.3})")
+    }
+
+    fn one_of<'a>(&mut self, all: &[&'a str]) -> &'a str {
+        all[self.between(0.0, all.len() as f64) as usize]
+    }
+}

@@ -1,0 +1,92 @@
+// Generated from tests/cases/geometry/inside_a_sphere.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   Sphere 0, Sphere 1
+//   shapes    Sphere
+//   textures  Checker
+
+const OBJECT_SPHERE_0: u32 = 0u;
+const OBJECT_SPHERE_1: u32 = 1u;
+const LIGHTS: u32 = 1u;
+/// Whether any ray goes through a surface, and how many then wait for their turn.
+const TRANSMITS: bool = false;
+const MAX_WAITING: u32 = 1u;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = Hit(ray.t_max, NO_OBJECT);
+    // objects[0] "Sphere 0": Sphere(radius: 4)
+    hit = nearer(hit, sphere(ray, vec3f(0.0), 4.0), OBJECT_SPHERE_0);
+    // objects[1] "Sphere 1": Sphere(center: (0, -1, -1), radius: 0.7)
+    hit = nearer(hit, sphere(ray, vec3f(0.0, -1.0, -1.0), 0.7), OBJECT_SPHERE_1);
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if sphere(ray, vec3f(0.0), 4.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(0.0, -1.0, -1.0), 0.7) < NO_HIT { return true; }
+    return false;
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_SPHERE_0: {
+            return placed(sphereSurface(p, vec3f(0.0), 4.0));
+        }
+        case OBJECT_SPHERE_1: {
+            return placed(sphereSurface(p, vec3f(0.0, -1.0, -1.0), 0.7));
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_SPHERE_0: { return sphere0Material(at); }
+        case OBJECT_SPHERE_1: { return sphere1Material(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn sphere0Material(at: Surface) -> Material {
+    return matte(
+        checker(
+            at,
+            1.0,
+            vec3f(0.8069523, 0.66538733, 0.43415368),
+            vec3f(0.10224174, 0.20507874, 0.2622507),
+        ),
+    );
+}
+
+fn sphere1Material(at: Surface) -> Material {
+    return matte(vec3f(1.0, 0.12477182, 0.06301002));
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    return met.normal;
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    return vec3f(0.0);
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.1);
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        // lights[0]: Point(position: (0, 2, 0))
+        case 0u: { return pointLight(p, vec3f(0.0, 2.0, 0.0), 0.0, vec3f(1.0)); }
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}

@@ -1,0 +1,137 @@
+// Generated from tests/cases/lights/kinds.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   Plane 0, Sphere 1, Sphere 2, Sphere 3
+//   shapes    Plane, Sphere
+
+const OBJECT_PLANE_0: u32 = 0u;
+const OBJECT_SPHERE_1: u32 = 1u;
+const OBJECT_SPHERE_2: u32 = 2u;
+const OBJECT_SPHERE_3: u32 = 3u;
+const LIGHTS: u32 = 4u;
+/// Whether any ray goes through a surface, and how many then wait for their turn.
+const TRANSMITS: bool = false;
+const MAX_WAITING: u32 = 1u;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = Hit(ray.t_max, NO_OBJECT);
+    // objects[0] "Plane 0": Plane()
+    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
+    // objects[1] "Sphere 1": Sphere(center: (-3, 0.6, 0), radius: 0.6)
+    hit = nearer(hit, sphere(ray, vec3f(-3.0, 0.6, 0.0), 0.6), OBJECT_SPHERE_1);
+    // objects[2] "Sphere 2": Sphere(center: (0, 0.6, 0), radius: 0.6)
+    hit = nearer(hit, sphere(ray, vec3f(0.0, 0.6, 0.0), 0.6), OBJECT_SPHERE_2);
+    // objects[3] "Sphere 3": Sphere(center: (3, 0.6, 0), radius: 0.6)
+    hit = nearer(hit, sphere(ray, vec3f(3.0, 0.6, 0.0), 0.6), OBJECT_SPHERE_3);
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(-3.0, 0.6, 0.0), 0.6) < NO_HIT { return true; }
+    if sphere(ray, vec3f(0.0, 0.6, 0.0), 0.6) < NO_HIT { return true; }
+    if sphere(ray, vec3f(3.0, 0.6, 0.0), 0.6) < NO_HIT { return true; }
+    return false;
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_PLANE_0: {
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+        }
+        case OBJECT_SPHERE_1: {
+            return placed(sphereSurface(p, vec3f(-3.0, 0.6, 0.0), 0.6));
+        }
+        case OBJECT_SPHERE_2: {
+            return placed(sphereSurface(p, vec3f(0.0, 0.6, 0.0), 0.6));
+        }
+        case OBJECT_SPHERE_3: {
+            return placed(sphereSurface(p, vec3f(3.0, 0.6, 0.0), 0.6));
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_PLANE_0: { return plane0Material(at); }
+        case OBJECT_SPHERE_1: { return sphere1Material(at); }
+        case OBJECT_SPHERE_2: { return sphere2Material(at); }
+        case OBJECT_SPHERE_3: { return sphere3Material(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn plane0Material(at: Surface) -> Material {
+    return matte(vec3f(0.8));
+}
+
+fn sphere1Material(at: Surface) -> Material {
+    return matte(vec3f(0.8));
+}
+
+fn sphere2Material(at: Surface) -> Material {
+    return matte(vec3f(0.8));
+}
+
+fn sphere3Material(at: Surface) -> Material {
+    return matte(vec3f(0.8));
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    return met.normal;
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    return vec3f(0.0);
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.02);
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        // lights[0]: Point(position: (-3, 3, 0), color: "tomato", intensity: 0.8)
+        case 0u: { return pointLight(
+            p,
+            vec3f(-3.0, 3.0, 0.0),
+            0.0,
+            vec3f(0.8, 0.099817455, 0.050408017),
+        ); }
+        // lights[1]: Directional(direction: (1, -2, -1), intensity: 0.2)
+        case 1u: { return directionalLight(
+            vec3f(0.40824828, -0.81649655, -0.40824828),
+            0.0,
+            vec3f(0.2),
+        ); }
+        // lights[2]: Spot(position: (3, 4, 0), target: (3, 0, 0), cone_deg: 40, blend: 0.3, color:…
+        case 2u: { return spotLight(
+            p,
+            vec3f(3.0, 4.0, 0.0),
+            0.0,
+            vec3f(0.0, -1.0, 0.0),
+            0.9702957,
+            0.9396926,
+            vec3f(1.0, 0.6795425, 0.0),
+        ); }
+        // lights[3]: Rect(corner: (0, 3, -2), u: (0, 0, 0), v: (0, 0, 0), color: "skyblue", intens…
+        case 3u: { return rectLight(
+            p,
+            vec3f(0.0, 3.0, -2.0),
+            vec3f(0.0),
+            vec3f(0.0),
+            vec3f(0.12114058, 0.3086033, 0.41538495),
+        ); }
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}

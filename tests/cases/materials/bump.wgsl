@@ -1,0 +1,105 @@
+// Generated from tests/cases/materials/bump.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   Plane 0, Sphere 1
+//   shapes    Plane, Sphere
+//   textures  Noise, Brick
+
+const OBJECT_PLANE_0: u32 = 0u;
+const OBJECT_SPHERE_1: u32 = 1u;
+const LIGHTS: u32 = 1u;
+/// Whether any ray goes through a surface, and how many then wait for their turn.
+const TRANSMITS: bool = false;
+const MAX_WAITING: u32 = 1u;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = Hit(ray.t_max, NO_OBJECT);
+    // objects[0] "Plane 0": Plane()
+    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
+    // objects[1] "Sphere 1": Sphere(center: (0, 1, 0))
+    hit = nearer(hit, sphere(ray, vec3f(0.0, 1.0, 0.0), 1.0), OBJECT_SPHERE_1);
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(0.0, 1.0, 0.0), 1.0) < NO_HIT { return true; }
+    return false;
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_PLANE_0: {
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+        }
+        case OBJECT_SPHERE_1: {
+            return placed(sphereSurface(p, vec3f(0.0, 1.0, 0.0), 1.0));
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_PLANE_0: { return plane0Material(at); }
+        case OBJECT_SPHERE_1: { return sphere1Material(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn plane0Material(at: Surface) -> Material {
+    return matte(vec3f(0.6));
+}
+
+fn sphere1Material(at: Surface) -> Material {
+    var material = matte(vec3f(0.43415368, 0.4793202, 0.52711517));
+    material.specular = 0.6;
+    return material;
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    switch object {
+        case OBJECT_PLANE_0, OBJECT_SPHERE_1: { return bumpedNormal(object, met); }
+        default: { return met.normal; }
+    }
+}
+
+/// The height of `object` over its surface at `at`, scene units.
+fn heightAt(object: u32, at: Surface) -> f32 {
+    switch object {
+        case OBJECT_PLANE_0: {
+            let height = noise(at, 3.0);
+            return height * 0.04;
+        }
+        case OBJECT_SPHERE_1: {
+            let height = luminance(brick(at, 5.0, 3.0, 0.1, 0.15, vec3f(1.0), vec3f(0.0)));
+            return height * 0.03;
+        }
+        default: { return 0.0; }
+    }
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    return vec3f(0.019382363, 0.029556835, 0.045186203);
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.1);
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        // lights[0]: Point(position: (-3, 5, 6))
+        case 0u: { return pointLight(p, vec3f(-3.0, 5.0, 6.0), 0.0, vec3f(1.0)); }
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}

@@ -1,0 +1,134 @@
+// Generated from tests/cases/materials/mirror.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   Plane 0, Sphere 1, Quad 2, Sphere 3
+//   shapes    Plane, Sphere, Quad
+//   textures  Checker
+
+const OBJECT_PLANE_0: u32 = 0u;
+const OBJECT_SPHERE_1: u32 = 1u;
+const OBJECT_QUAD_2: u32 = 2u;
+const OBJECT_SPHERE_3: u32 = 3u;
+const LIGHTS: u32 = 1u;
+/// Whether any ray goes through a surface, and how many then wait for their turn.
+const TRANSMITS: bool = false;
+const MAX_WAITING: u32 = 1u;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = Hit(ray.t_max, NO_OBJECT);
+    // objects[0] "Plane 0": Plane()
+    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
+    // objects[1] "Sphere 1": Sphere(center: (0, 0.7, 0), radius: 0.7)
+    hit = nearer(hit, sphere(ray, vec3f(0.0, 0.7, 0.0), 0.7), OBJECT_SPHERE_1);
+    // objects[2] "Quad 2": Quad(corner: (-2, 0, -2), u: (4, 0, 0), v: (0, 3, 0))
+    hit = nearer(
+        hit,
+        quad(ray, vec3f(-2.0, 0.0, -2.0), vec3f(4.0, 0.0, 0.0), vec3f(0.0, 3.0, 0.0)),
+        OBJECT_QUAD_2,
+    );
+    // objects[3] "Sphere 3": Sphere(center: (1.5, 0.5, 0.8), radius: 0.5)
+    hit = nearer(hit, sphere(ray, vec3f(1.5, 0.5, 0.8), 0.5), OBJECT_SPHERE_3);
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(0.0, 0.7, 0.0), 0.7) < NO_HIT { return true; }
+    if quad(
+        ray,
+        vec3f(-2.0, 0.0, -2.0),
+        vec3f(4.0, 0.0, 0.0),
+        vec3f(0.0, 3.0, 0.0),
+    ) < NO_HIT { return true; }
+    if sphere(ray, vec3f(1.5, 0.5, 0.8), 0.5) < NO_HIT { return true; }
+    return false;
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_PLANE_0: {
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+        }
+        case OBJECT_SPHERE_1: {
+            return placed(sphereSurface(p, vec3f(0.0, 0.7, 0.0), 0.7));
+        }
+        case OBJECT_QUAD_2: {
+            return placed(
+                quadSurface(p, vec3f(-2.0, 0.0, -2.0), vec3f(4.0, 0.0, 0.0), vec3f(0.0, 3.0, 0.0)),
+            );
+        }
+        case OBJECT_SPHERE_3: {
+            return placed(sphereSurface(p, vec3f(1.5, 0.5, 0.8), 0.5));
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_PLANE_0: { return plane0Material(at); }
+        case OBJECT_SPHERE_1: { return sphere1Material(at); }
+        case OBJECT_QUAD_2: { return quad2Material(at); }
+        case OBJECT_SPHERE_3: { return sphere3Material(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn plane0Material(at: Surface) -> Material {
+    return matte(
+        checker(
+            at,
+            1.0,
+            vec3f(0.838799, 0.791298, 0.6866853),
+            vec3f(0.0409152, 0.05448028, 0.07618539),
+        ),
+    );
+}
+
+fn sphere1Material(at: Surface) -> Material {
+    var material = matte(vec3f(1.0, 0.12477182, 0.06301002));
+    material.reflectivity = 0.02;
+    material.fresnel = 5.0;
+    return material;
+}
+
+fn quad2Material(at: Surface) -> Material {
+    var material = matte(vec3f(0.05));
+    material.reflectivity = 0.9;
+    return material;
+}
+
+fn sphere3Material(at: Surface) -> Material {
+    var material = matte(vec3f(0.05));
+    material.reflectivity = 0.9;
+    return material;
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    return met.normal;
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    return vec3f(0.019382363, 0.029556835, 0.045186203);
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.3);
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        // lights[0]: Point(position: (1, 5, 3))
+        case 0u: { return pointLight(p, vec3f(1.0, 5.0, 3.0), 0.0, vec3f(1.0)); }
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}

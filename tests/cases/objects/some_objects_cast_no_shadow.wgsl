@@ -1,0 +1,83 @@
+// Generated from tests/cases/objects/some_objects_cast_no_shadow.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   Plane 0, lamp shade
+//   shapes    Plane, Sphere
+
+const OBJECT_PLANE_0: u32 = 0u;
+const OBJECT_LAMP_SHADE: u32 = 1u;
+const LIGHTS: u32 = 1u;
+/// Whether any ray goes through a surface, and how many then wait for their turn.
+const TRANSMITS: bool = false;
+const MAX_WAITING: u32 = 1u;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = Hit(ray.t_max, NO_OBJECT);
+    // objects[0] "Plane 0": Plane()
+    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
+    // objects[1] "lamp shade": Sphere(center: (0, 2, 0), casts_shadow: false)
+    hit = nearer(hit, sphere(ray, vec3f(0.0, 2.0, 0.0), 1.0), OBJECT_LAMP_SHADE);
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
+    return false;
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_PLANE_0: {
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+        }
+        case OBJECT_LAMP_SHADE: {
+            return placed(sphereSurface(p, vec3f(0.0, 2.0, 0.0), 1.0));
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_PLANE_0: { return plane0Material(at); }
+        case OBJECT_LAMP_SHADE: { return lampShadeMaterial(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn plane0Material(at: Surface) -> Material {
+    return matte(vec3f(0.8));
+}
+
+fn lampShadeMaterial(at: Surface) -> Material {
+    return matte(vec3f(0.8));
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    return met.normal;
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    return vec3f(0.0);
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.1);
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        // lights[0]: Point(position: (0, 6, 0))
+        case 0u: { return pointLight(p, vec3f(0.0, 6.0, 0.0), 0.0, vec3f(1.0)); }
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}

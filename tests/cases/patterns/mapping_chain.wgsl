@@ -1,0 +1,86 @@
+// Generated from tests/cases/patterns/mapping_chain.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   Sphere 0
+//   shapes    Sphere
+//   textures  Turbulence, Noise, Swirl, Marble
+
+const OBJECT_SPHERE_0: u32 = 0u;
+const LIGHTS: u32 = 0u;
+/// Whether any ray goes through a surface, and how many then wait for their turn.
+const TRANSMITS: bool = false;
+const MAX_WAITING: u32 = 1u;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = Hit(ray.t_max, NO_OBJECT);
+    // objects[0] "Sphere 0": Sphere()
+    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_SPHERE_0);
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
+    return false;
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_SPHERE_0: {
+            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_SPHERE_0: { return sphere0Material(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn sphere0Material(at: Surface) -> Material {
+    let at1 = turbulence(at, noise(at, 3.0), 1.0, 4u);
+    let at2 = swirl(at1, 2.0, 2.0);
+    let at3 = swirl(at, 1.5, 2.0);
+    var material = matte(
+        marble(
+            at2,
+            1.5,
+            6u,
+            2.0,
+            5.0,
+            vec3f(0.8879231, 0.8631572, 0.8148466),
+            vec3f(0.0703601, 0.08021983, 0.097587354),
+        ),
+    );
+    material.specular = noise(at3, 1.5);
+    return material;
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    return met.normal;
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    return vec3f(0.0);
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.1);
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}

@@ -1,0 +1,195 @@
+// Generated from scenes/table.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   floor, red, green, magenta, floating, top, leg 1, leg 2, leg 3, leg 4
+//   shapes    Plane, Sphere, Box
+//   textures  Checker
+
+const OBJECT_FLOOR: u32 = 0u;
+const OBJECT_RED: u32 = 1u;
+const OBJECT_GREEN: u32 = 2u;
+const OBJECT_MAGENTA: u32 = 3u;
+const OBJECT_FLOATING: u32 = 4u;
+const OBJECT_TOP: u32 = 5u;
+const OBJECT_LEG_1: u32 = 6u;
+const OBJECT_LEG_2: u32 = 7u;
+const OBJECT_LEG_3: u32 = 8u;
+const OBJECT_LEG_4: u32 = 9u;
+const LIGHTS: u32 = 1u;
+/// Whether any ray goes through a surface, and how many then wait for their turn.
+const TRANSMITS: bool = false;
+const MAX_WAITING: u32 = 1u;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = Hit(ray.t_max, NO_OBJECT);
+    // objects[0] "floor": Plane(normal: (0, 1, 0), offset: 0)
+    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_FLOOR);
+    // objects[1] "red": Sphere(center: (1, 2, 5), radius: 2)
+    hit = nearer(hit, sphere(ray, vec3f(1.0, 2.0, 5.0), 2.0), OBJECT_RED);
+    // objects[2] "green": Sphere(center: (5, 1, 2), radius: 1)
+    hit = nearer(hit, sphere(ray, vec3f(5.0, 1.0, 2.0), 1.0), OBJECT_GREEN);
+    // objects[3] "magenta": Sphere(center: (5, 2.8, 1), radius: 0.6)
+    hit = nearer(hit, sphere(ray, vec3f(5.0, 2.8, 1.0), 0.6), OBJECT_MAGENTA);
+    // objects[4] "floating": Box(min: (0, 3, 0), max: (1, 4, 1))
+    hit = nearer(hit, box(ray, vec3f(0.0, 3.0, 0.0), vec3f(1.0, 4.0, 1.0)), OBJECT_FLOATING);
+    // objects[5] "top": Box(min: (-2, 1.65, -2), max: (2, 1.8, 2))
+    hit = nearer(hit, box(ray, vec3f(-2.0, 1.65, -2.0), vec3f(2.0, 1.8, 2.0)), OBJECT_TOP);
+    // objects[6] "leg 1": Box(min: (-1.9, 0, -1.9), max: (-1.6, 1.65, -1.6))
+    hit = nearer(hit, box(ray, vec3f(-1.9, 0.0, -1.9), vec3f(-1.6, 1.65, -1.6)), OBJECT_LEG_1);
+    // objects[7] "leg 2": Box(min: (-1.9, 0, 1.6), max: (-1.6, 1.65, 1.9))
+    hit = nearer(hit, box(ray, vec3f(-1.9, 0.0, 1.6), vec3f(-1.6, 1.65, 1.9)), OBJECT_LEG_2);
+    // objects[8] "leg 3": Box(min: (1.6, 0, 1.6), max: (1.9, 1.65, 1.9))
+    hit = nearer(hit, box(ray, vec3f(1.6, 0.0, 1.6), vec3f(1.9, 1.65, 1.9)), OBJECT_LEG_3);
+    // objects[9] "leg 4": Box(min: (1.6, 0, -1.9), max: (1.9, 1.65, -1.6))
+    hit = nearer(hit, box(ray, vec3f(1.6, 0.0, -1.9), vec3f(1.9, 1.65, -1.6)), OBJECT_LEG_4);
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(1.0, 2.0, 5.0), 2.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(5.0, 1.0, 2.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(5.0, 2.8, 1.0), 0.6) < NO_HIT { return true; }
+    if box(ray, vec3f(0.0, 3.0, 0.0), vec3f(1.0, 4.0, 1.0)) < NO_HIT { return true; }
+    if box(ray, vec3f(-2.0, 1.65, -2.0), vec3f(2.0, 1.8, 2.0)) < NO_HIT { return true; }
+    if box(ray, vec3f(-1.9, 0.0, -1.9), vec3f(-1.6, 1.65, -1.6)) < NO_HIT { return true; }
+    if box(ray, vec3f(-1.9, 0.0, 1.6), vec3f(-1.6, 1.65, 1.9)) < NO_HIT { return true; }
+    if box(ray, vec3f(1.6, 0.0, 1.6), vec3f(1.9, 1.65, 1.9)) < NO_HIT { return true; }
+    if box(ray, vec3f(1.6, 0.0, -1.9), vec3f(1.9, 1.65, -1.6)) < NO_HIT { return true; }
+    return false;
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_FLOOR: {
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+        }
+        case OBJECT_RED: {
+            return placed(sphereSurface(p, vec3f(1.0, 2.0, 5.0), 2.0));
+        }
+        case OBJECT_GREEN: {
+            return placed(sphereSurface(p, vec3f(5.0, 1.0, 2.0), 1.0));
+        }
+        case OBJECT_MAGENTA: {
+            return placed(sphereSurface(p, vec3f(5.0, 2.8, 1.0), 0.6));
+        }
+        case OBJECT_FLOATING: {
+            return placed(boxSurface(p, vec3f(0.0, 3.0, 0.0), vec3f(1.0, 4.0, 1.0)));
+        }
+        case OBJECT_TOP: {
+            return placed(boxSurface(p, vec3f(-2.0, 1.65, -2.0), vec3f(2.0, 1.8, 2.0)));
+        }
+        case OBJECT_LEG_1: {
+            return placed(boxSurface(p, vec3f(-1.9, 0.0, -1.9), vec3f(-1.6, 1.65, -1.6)));
+        }
+        case OBJECT_LEG_2: {
+            return placed(boxSurface(p, vec3f(-1.9, 0.0, 1.6), vec3f(-1.6, 1.65, 1.9)));
+        }
+        case OBJECT_LEG_3: {
+            return placed(boxSurface(p, vec3f(1.6, 0.0, 1.6), vec3f(1.9, 1.65, 1.9)));
+        }
+        case OBJECT_LEG_4: {
+            return placed(boxSurface(p, vec3f(1.6, 0.0, -1.9), vec3f(1.9, 1.65, -1.6)));
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_TOP,
+             OBJECT_LEG_1,
+             OBJECT_LEG_2,
+             OBJECT_LEG_3,
+             OBJECT_LEG_4: { return woodMaterial(at); }
+        case OBJECT_FLOOR: { return floorMaterial(at); }
+        case OBJECT_RED: { return redMaterial(at); }
+        case OBJECT_GREEN: { return greenMaterial(at); }
+        case OBJECT_MAGENTA: { return magentaMaterial(at); }
+        case OBJECT_FLOATING: { return floatingMaterial(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn woodMaterial(at: Surface) -> Material {
+    var material = matte(vec3f(0.0, 0.0, 1.0));
+    material.specular = 1.0;
+    material.shininess = 50.0;
+    material.reflectivity = 0.0;
+    material.fresnel = 2.0;
+    return material;
+}
+
+fn floorMaterial(at: Surface) -> Material {
+    var material = matte(tilesTexture(at));
+    material.specular = 1.0;
+    material.reflectivity = 0.0;
+    material.fresnel = 2.0;
+    return material;
+}
+
+fn redMaterial(at: Surface) -> Material {
+    var material = matte(vec3f(1.0, 0.0, 0.0));
+    material.specular = 1.0;
+    material.reflectivity = 0.0;
+    material.fresnel = 2.0;
+    return material;
+}
+
+fn greenMaterial(at: Surface) -> Material {
+    var material = matte(vec3f(0.0, 1.0, 0.0));
+    material.specular = 1.0;
+    material.reflectivity = 0.0;
+    material.fresnel = 2.0;
+    return material;
+}
+
+fn magentaMaterial(at: Surface) -> Material {
+    var material = matte(vec3f(1.0, 0.0, 1.0));
+    material.specular = 1.0;
+    material.reflectivity = 0.0;
+    material.fresnel = 2.0;
+    return material;
+}
+
+fn floatingMaterial(at: Surface) -> Material {
+    var material = matte(vec3f(1.0, 1.0, 0.0));
+    material.specular = 1.0;
+    material.reflectivity = 0.0;
+    material.fresnel = 2.0;
+    return material;
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    return met.normal;
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    return vec3f(0.0);
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.3);
+}
+
+/// textures: "tiles"
+fn tilesTexture(at: Surface) -> vec3f {
+    return checker(at, 1.0, vec3f(0.15), vec3f(0.65));
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        // lights[0]: Point(position: (6, 9, 7))
+        case 0u: { return pointLight(p, vec3f(6.0, 9.0, 7.0), 0.0, vec3f(1.0)); }
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}

@@ -1,0 +1,250 @@
+//! The program as a shell sees it: exit codes, what goes to which stream, and the files that it writes.
+
+mod common;
+
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use common::{check_text, expect_none, files, root};
+
+#[test]
+fn a_right_scene_is_0_a_wrong_one_1_a_wrong_call_2() {
+    let code = |arguments: &[&str]| raytoy(arguments).status.code();
+    assert_eq!(code(&["check", "scenes/table.ron"]), Some(0));
+    assert_eq!(code(&["check", "tests/cases/errors/scale_zero.ron"]), Some(1));
+    assert_eq!(code(&["generate", "tests/cases/errors/scale_zero.ron"]), Some(1));
+    for call in [
+        &["check", "nothing.ron"][..],
+        &["generate", "nothing.ron"],
+        &["view", "nothing.ron"],
+        &["paint"],
+        &["render", "scenes/table.ron"],
+        &["render", "scenes/table.ron", "-o", "a.jpg"],
+        &["render", "scenes/table.ron", "-o", "a.png", "--size", "0x9"],
+        &["render", "scenes/table.ron", "-o", "a.png", "--view", "heat"],
+        &["render", "scenes/table.ron", "-o", "a.png", "--samples", "0"],
+        &["render", "scenes/table.ron", "scenes/glass.ron", "-o", "a.png"],
+    ] {
+        assert_eq!(code(call), Some(2), "{call:?}");
+    }
+}
+
+#[test]
+fn results_go_to_stdout_and_talk_to_stderr() {
+    let generated = raytoy(&["generate", "scenes/table.ron"]);
+    assert!(stdout(&generated).starts_with("// Generated from scenes/table.ron\n"));
+    assert!(!stderr(&generated).contains("fn "));
+    let wrong = raytoy(&["generate", "tests/cases/errors/scale_zero.ron"]);
+    assert_eq!(stdout(&wrong), "");
+    assert!(stderr(&wrong).contains("`scale` must not be 0") && stderr(&wrong).ends_with("2 errors\n"));
+    assert!(!stderr(&wrong).contains('\u{1b}'), "no escape codes where there is no terminal");
+    let checked = raytoy(&["check", "scenes/table.ron"]);
+    assert_eq!((stdout(&checked), stderr(&checked)), (String::new(), "scenes/table.ron is right\n".into()));
+    let missing = raytoy(&["generate", "nothing.ron"]);
+    assert_eq!(stderr(&missing), "raytoy: there is no file `nothing.ron`\n");
+}
+
+#[test]
+fn generate_reads_stdin_and_writes_a_file() {
+    let piped = with_input(&["generate", "-", "--live"], "(objects: [Sphere(radius: 2)])");
+    assert!(stdout(&piped).contains("fn live(i: u32)"), "{}", stderr(&piped));
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let file = folder.path().join("table.wgsl");
+    let written = raytoy(&["generate", "scenes/table.ron", "-o", &file.to_string_lossy()]);
+    assert_eq!(stdout(&written), "");
+    let baked = std::fs::read_to_string(&file).expect("the file is there");
+    assert_eq!(baked, stdout(&raytoy(&["generate", "scenes/table.ron"])));
+}
+
+#[test]
+fn check_takes_folders_and_snippets() {
+    let all = raytoy(&["check", "scenes", "textures", "shaders/shapes"]);
+    let count = files("scenes", "ron").len()
+        + files("textures", "wgsl").len()
+        + files("shaders/shapes", "wgsl").len();
+    assert_eq!(stderr(&all), format!("all {count} files are right\n"));
+    let snippets = raytoy(&["check", "tests/cases/errors/snippets"]);
+    assert_eq!(snippets.status.code(), Some(1));
+    let said = stderr(&snippets);
+    assert!(
+        said.contains("textures/syntax_error.wgsl:6:5") && said.contains("files with mistakes"),
+        "{said}"
+    );
+}
+
+#[test]
+fn files_with_odd_names_are_told_not_fatal() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    std::fs::create_dir(folder.path().join("textures")).expect("it is writable");
+    for stem in ["ärger", "a__b", "_", "my-texture", "2d"] {
+        let file = folder.path().join("textures").join(format!("{stem}.wgsl"));
+        std::fs::write(file, "fn f() {}\n").expect("it is writable");
+    }
+    for arguments in [&["textures"][..], &["check", "."], &["textures", "Ärger"], &["textures", ""]] {
+        let done = command(arguments).current_dir(folder.path()).output().expect("raytoy runs");
+        assert!(matches!(done.status.code(), Some(0..=2)), "{arguments:?}: {}", stderr(&done));
+    }
+}
+
+#[test]
+fn render_writes_pictures_of_the_asked_size() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    let (picture, normals, stats) = (path("a.png"), path("n.png"), path("stats.json"));
+    render(&["scenes/two_suns.ron", "-o", &picture, "--size", "64x36", "--samples", "2", "--stats", &stats]);
+    render(&["scenes/two_suns.ron", "-o", &normals, "--size", "64x36", "--view", "normal", "--live"]);
+    let [a, n] = [&picture, &normals].map(|file| image::open(file).expect("a PNG").to_rgb8());
+    assert_eq!((a.dimensions(), n.dimensions()), ((64, 36), (64, 36)));
+    // The sphere faces the camera in the middle.
+    assert_eq!(n.get_pixel(32, 18).0.map(|c| c / 16), [8, 7, 15]);
+
+    let stats = std::fs::read_to_string(stats).expect("the statistics are there");
+    let stats: serde_json::Value = serde_json::from_str(&stats).expect("they are JSON");
+    for field in
+        ["parse_ms", "resolve_ms", "generate_ms", "naga_ms", "pipeline_ms", "first_frame_ms", "frame_ms"]
+    {
+        assert!(stats[field].as_f64().is_some_and(|ms| ms > 0.0), "{field}: {stats}");
+    }
+    assert_eq!(stats["scene"], "scenes/two_suns.ron");
+    assert_eq!([&stats["width"], &stats["height"], &stats["samples"], &stats["objects"]], [64, 36, 2, 1]);
+    assert!(stats["adapter"].is_string() && stats["wgsl_bytes"].as_u64().is_some_and(|n| n > 1000));
+}
+
+#[test]
+fn render_reads_stdin_and_writes_stdout() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let arguments = ["render", "-", "-o", "-", "--size", "32x18", "--adapter", "software"];
+    let drawn = with_input(&arguments, "(objects: [Sphere()])");
+    assert!(drawn.stdout.starts_with(b"\x89PNG\r\n\x1a\n"), "{}", stderr(&drawn));
+    let wrong = with_input(&arguments, "(objects: [Spere()])");
+    assert_eq!((wrong.status.code(), wrong.stdout.len()), (Some(1), 0));
+    assert!(stderr(&wrong).contains("did you mean `Sphere`?"));
+}
+
+#[test]
+fn several_scenes_go_to_a_folder_and_a_wrong_one_stops_no_other() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let out = format!("{}/", folder.path().join("gallery").to_string_lossy());
+    let scenes = ["scenes/two_suns.ron", "tests/cases/errors/empty.ron", "tests/cases/geometry/defaults.ron"];
+    let arguments =
+        ["render", scenes[0], scenes[1], scenes[2], "-o", &out, "--size", "16x9", "--adapter", "software"];
+    let drawn = raytoy(&arguments);
+    assert_eq!(drawn.status.code(), Some(1));
+    let is_there = |name: &str| Path::new(&out).join(name).exists();
+    assert!(is_there("two_suns.png") && is_there("defaults.png") && !is_there("empty.png"));
+}
+
+#[test]
+fn exr_holds_light_depth_and_objects() {
+    if common::gpu().is_none() {
+        return;
+    }
+    use exr::prelude::*;
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let file = folder.path().join("a.exr");
+    let scene = folder.path().join("a.ron");
+    let text = "(camera: (eye: (0, 0, 5), target: (0, 0, 0)), ambient: 1, background: (0, 0, 2),
+        objects: [Box(min: (9, 9, 9), max: (10, 10, 10)), Sphere(material: (color: (0.5, 0.25, 0)))])";
+    std::fs::write(&scene, text).expect("it is writable");
+    render(&[&scene.to_string_lossy(), "-o", &file.to_string_lossy(), "--size", "33x17"]);
+    let image = read_first_flat_layer_from_file(&file).expect("an EXR file");
+    let channels = &image.layer_data.channel_data.list;
+    let names: Vec<String> = channels.iter().map(|channel| channel.name.to_string()).collect();
+    assert_eq!(names, ["B", "G", "R", "Z", "object"]);
+    let at = |name: &str, pixel: usize| {
+        let channel = channels.iter().find(|c| c.name.eq(name)).expect("it is one of the names");
+        channel.sample_data.values_as_f32().nth(pixel).expect("33 x 17 pixels")
+    };
+    let (corner, middle) = (0, 8 * 33 + 16);
+    let read = |pixel| ["R", "G", "B", "Z", "object"].map(|name| at(name, pixel));
+    assert_eq!(read(corner), [0.0, 0.0, 2.0, f32::INFINITY, -1.0]);
+    let [r, g, b, z, object] = read(middle);
+    assert_eq!([r, g, b, object], [0.5, 0.25, 0.0, 1.0]);
+    assert!((z - 4.0).abs() < 1e-4, "{z}");
+}
+
+#[test]
+fn lists_tell_all_names_and_all_about_one() {
+    for (command, folder) in [("textures", "textures"), ("shapes", "shaders/shapes")] {
+        let list = stdout(&raytoy(&[command]));
+        let lines = files(folder, "wgsl").len() + usize::from(command == "textures");
+        assert_eq!(list.lines().count(), lines, "{list}");
+        let bare = list.lines().filter(|line| line.split_whitespace().count() < 3);
+        expect_none(bare.map(|line| format!("{command}: a line without a caption: {line}")));
+    }
+    let brick = stdout(&raytoy(&["textures", "Brick"]));
+    assert!(brick.starts_with("Brick: ") && brick.contains("textures/brick.wgsl"), "{brick}");
+    for parameter in ["scale", "mortar", "clay", "joint", "at"] {
+        assert!(brick.contains(&format!("\n  {parameter}")), "{parameter}: {brick}");
+    }
+    let torus = stdout(&raytoy(&["shapes", "Torus"]));
+    assert!(torus.contains("major_radius = 1") && !torus.contains("mapping"), "{torus}");
+}
+
+#[test]
+fn an_unknown_name_gets_the_nearest() {
+    let unknown = raytoy(&["textures", "Brik"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert_eq!(stderr(&unknown), "raytoy: there is no texture `Brik`; did you mean `Brick`?\n");
+    assert!(stderr(&raytoy(&["shapes", "Zzzzzzzzzz"])).contains("known: Box, "));
+}
+
+#[test]
+fn help_is_as_its_goldens_say() {
+    let commands = ["", "view", "render", "check", "generate", "textures", "shapes", "completions"];
+    expect_none(commands.into_iter().filter_map(|command| {
+        let (arguments, golden) = match command {
+            "" => (vec!["--help"], "tests/cases/help/raytoy.txt".to_owned()),
+            command => (vec![command, "--help"], format!("tests/cases/help/{command}.txt")),
+        };
+        check_text(&golden, &stdout(&raytoy(&arguments))).err()
+    }));
+}
+
+#[test]
+fn completions_are_for_the_shell_that_is_asked_for() {
+    let bash = stdout(&raytoy(&["completions", "bash"]));
+    assert!(bash.contains("_raytoy()") && bash.contains("generate"));
+    assert_eq!(raytoy(&["completions", "tcl"]).status.code(), Some(2));
+}
+
+fn raytoy(arguments: &[&str]) -> Output {
+    command(arguments).output().expect("raytoy runs")
+}
+
+fn with_input(arguments: &[&str], input: &str) -> Output {
+    let mut child = command(arguments).stdin(Stdio::piped()).spawn().expect("raytoy runs");
+    let mut stdin = child.stdin.take().expect("it is piped");
+    stdin.write_all(input.as_bytes()).expect("raytoy reads");
+    drop(stdin);
+    child.wait_with_output().expect("raytoy ends")
+}
+
+fn render(arguments: &[&str]) {
+    let done = raytoy(&[&["render", "--adapter", "software"], arguments].concat());
+    assert!(done.status.success() && done.stdout.is_empty(), "{arguments:?}: {}", stderr(&done));
+}
+
+fn command(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_raytoy"));
+    command.current_dir(root()).args(arguments).stdin(Stdio::null());
+    command.env_remove("COLUMNS").stdout(Stdio::piped()).stderr(Stdio::piped());
+    command
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).replace("raytoy.exe", "raytoy")
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}

@@ -1,0 +1,172 @@
+//! Rules of the house that a test can hold: headers, lengths, imports, and that what ships is shown.
+
+mod common;
+
+use common::{expect_none, files, read};
+use raytoy::library::{Family, Library};
+use raytoy::sources::Sources;
+
+/// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
+const IMPORTS: [(&str, &[&str]); 13] = [
+    ("diagnostic", &[]),
+    ("sources", &["diagnostic"]),
+    ("scene", &["diagnostic"]),
+    ("library", &["diagnostic", "sources"]),
+    ("ir/resolve", &["ir", "library", "diagnostic", "scene"]),
+    ("ir", &["library"]),
+    ("wgsl", &["ir", "library"]),
+    ("module", &["wgsl", "diagnostic"]),
+    ("gpu", &["ir", "wgsl", "library", "Compiled", "on_deep_stack"]),
+    ("watch", &["sources"]),
+    (
+        "app",
+        &[
+            "diagnostic",
+            "gpu",
+            "ir",
+            "library",
+            "scene",
+            "sources",
+            "watch",
+            "wgsl",
+            "Compiled",
+            "Outcome",
+            "compile",
+            "Times",
+            "on_deep_stack",
+        ],
+    ),
+    (
+        "cli",
+        &["app", "diagnostic", "gpu", "ir", "library", "sources", "wgsl", "Compiled", "Outcome", "compile"],
+    ),
+    ("lib", &["diagnostic", "ir", "library", "module", "scene", "sources", "wgsl"]),
+];
+
+/// What only some rooms may name, and where.
+const RESERVED: [(&str, &[&str]); 8] = [
+    ("wgpu::", &["gpu", "app"]),
+    ("winit::", &["app"]),
+    ("egui::", &["app"]),
+    ("notify::", &["watch"]),
+    ("clap::", &["cli"]),
+    ("std::fs", &["sources", "app", "cli", "watch", "build"]),
+    ("println!", &["cli", "build"]),
+    // One line in gpu: an error that slips through all scopes has nowhere else to go.
+    ("eprintln!", &["cli", "gpu/device"]),
+];
+
+const FORBIDDEN: [&str; 4] = ["todo!", "unimplemented!", "#[ignore]", "dbg!"];
+
+#[test]
+fn each_module_opens_with_what_it_is() {
+    expect_none(rust().into_iter().filter(|(_, text)| !text.starts_with("//! ")).map(|(file, _)| file));
+}
+
+#[test]
+fn files_and_lines_stay_short() {
+    let wgsl = ["shaders", "textures"].iter().flat_map(|folder| files(folder, "wgsl"));
+    let wgsl = wgsl.map(|file| (read(&file), file, 100));
+    let rust = rust().into_iter().map(|(file, text)| (text, file, 300));
+    expect_none(rust.chain(wgsl).flat_map(|(text, file, most)| {
+        let lines = text.lines().count();
+        let long = (lines > most).then(|| format!("{file}: {lines} lines, {most} are enough"));
+        let wide = (1..).zip(text.lines()).filter(|(_, line)| line.chars().count() > 110);
+        let wide = wide.map(|(n, line)| format!("{file}:{n}: {} columns", line.chars().count()));
+        long.into_iter().chain(wide).collect::<Vec<_>>()
+    }));
+}
+
+#[test]
+fn rooms_import_only_from_rooms_above() {
+    expect_none(sources().into_iter().flat_map(|(room, file, text)| {
+        let is_room = |(name, _): &&(&str, &[&str])| room == *name || room.starts_with(&format!("{name}/"));
+        let (own, allowed) = IMPORTS.iter().find(is_room).copied().unwrap_or((room.as_str(), &[]));
+        let own = own.split('/').next().unwrap_or(own).to_owned();
+        let named =
+            imports(&text).into_iter().filter(move |name| *name != own && !allowed.contains(&name.as_str()));
+        named.map(move |name| format!("{file} takes from crate::{name}")).collect::<Vec<_>>()
+    }));
+}
+
+#[test]
+fn crates_and_the_disk_are_named_only_in_their_rooms() {
+    expect_none(sources().into_iter().flat_map(|(room, file, text)| {
+        let is_in = |rooms: &[&str]| rooms.iter().any(|r| room == *r || room.starts_with(&format!("{r}/")));
+        let is_named = |what: &str| match what {
+            // `eprintln!` has `println!` in it.
+            "println!" => text.replace("eprintln!", "").contains(what),
+            "wgpu::" => text.replace("egui_wgpu::", "").contains(what),
+            _ => text.contains(what),
+        };
+        let named = RESERVED.iter().filter(|(what, rooms)| is_named(what) && !is_in(rooms));
+        named.map(|(what, _)| format!("{file} names {what}")).collect::<Vec<_>>()
+    }));
+}
+
+#[test]
+fn nothing_is_left_for_later() {
+    let tests = files("tests", "rs").into_iter().filter(|f| f != "tests/tidy.rs").map(|f| (read(&f), f));
+    let rust = rust().into_iter().map(|(file, text)| (text, file)).chain(tests);
+    expect_none(rust.flat_map(|(text, file)| {
+        let left = FORBIDDEN.iter().filter(|word| text.contains(**word));
+        left.map(|word| format!("{file} has {word}")).collect::<Vec<_>>()
+    }));
+}
+
+#[test]
+fn each_snippet_has_a_caption_and_is_shown_somewhere() {
+    let good = common::good_scenes().into_iter().map(|file| read(&file)).collect::<String>();
+    let disk = Sources::in_memory();
+    let library = Library::new(&disk, "".as_ref());
+    expect_none([Family::Shape, Family::Texture].into_iter().flat_map(|family| {
+        library
+            .names(family)
+            .into_iter()
+            .filter_map(|name| match library.find(family, &name) {
+                Err(problems) => Some(format!("{name}: {problems:?}")),
+                Ok(function) if function.caption.is_empty() => Some(format!("{name} has no caption")),
+                Ok(_) if !good.contains(&format!("{name}(")) => {
+                    Some(format!("{name} is in no scene and no case"))
+                }
+                Ok(_) => None,
+            })
+            .collect::<Vec<_>>()
+    }));
+}
+
+#[test]
+fn each_scene_says_what_it_shows() {
+    let silent = common::good_scenes().into_iter().filter(|file| !read(file).starts_with("// "));
+    expect_none(silent.map(|file| format!("{file} opens without a comment")));
+}
+
+/// The files of src/ with their texts.
+fn rust() -> Vec<(String, String)> {
+    files("src", "rs").into_iter().map(|file| (file.clone(), read(&file))).collect()
+}
+
+/// The room, the name and the code, without comments, of each file of src/; the program's own few lines aside.
+fn sources() -> Vec<(String, String, String)> {
+    let room = |file: &str| {
+        file.trim_start_matches("src/").trim_end_matches(".rs").trim_end_matches("/mod").to_owned()
+    };
+    let code =
+        |text: &str| text.lines().map(|l| l.split("//").next().unwrap_or(l)).collect::<Vec<_>>().join("\n");
+    let all = rust().into_iter().map(|(file, text)| (room(&file), file, code(&text)));
+    all.filter(|(room, ..)| room != "main").collect()
+}
+
+/// The first name behind each `crate::`, and each one of `crate::{a, b}`.
+fn imports(text: &str) -> Vec<String> {
+    let name = |part: &str| {
+        let part = part.trim_start();
+        part[..part.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(part.len())].to_owned()
+    };
+    let starts = text.match_indices("crate::").filter(|(at, _)| !text[..*at].ends_with('$'));
+    let found = starts.flat_map(|(at, found)| match text[at + found.len()..].strip_prefix('{') {
+        Some(list) => list[..list.find('}').unwrap_or(0)].split(',').map(name).collect(),
+        None => vec![name(&text[at + found.len()..])],
+    });
+    found.filter(|name| !name.is_empty()).collect()
+}
