@@ -35,6 +35,8 @@ pub enum Wish {
 /// Something for the window to show.
 pub enum Notice {
     Picture(Picture),
+    /// What the files say is what is shown; with its warnings.
+    Unchanged(Report),
     /// Numbers can be edited without another pipeline; how many were made so far.
     Ready {
         pipelines: u32,
@@ -228,6 +230,9 @@ impl Painter {
     }
 
     fn take(&mut self, mut version: Box<Version>) {
+        if version.change == Change::Cosmetic {
+            return (self.notify)(Notice::Unchanged(version.warnings));
+        }
         let before = self.scene.take();
         let edit = before.as_ref().map_or(0, |scene| scene.edit + 1);
         let baked = version.baked.take();
@@ -238,14 +243,13 @@ impl Painter {
         let reads = |what: &str| snippets.clone().any(|s| s.text.contains(what));
         let (moves, reads_mouse) = (reads("frame.time"), reads("frame.mouse"));
         let fresh = Scene { version, baked, live: None, is_warm: false, edit, moves, reads_mouse };
-        let scene = match (before, fresh.version.change) {
-            (Some(before), Change::Numbers) => Scene { live: before.live, is_warm: true, ..fresh },
-            (Some(before), Change::Cosmetic) => {
-                Scene { baked: before.baked, live: before.live, is_warm: before.is_warm, ..fresh }
+        let scene = match before {
+            Some(before) if fresh.version.change == Change::Numbers => {
+                Scene { live: before.live, is_warm: true, ..fresh }
             }
             _ => fresh,
         };
-        if let (Some(live), Change::Numbers) = (&scene.live, scene.version.change) {
+        if let Some(live) = &scene.live {
             live.upload(&self.gpu, &scene.version.compiled.source.numbers);
         }
         self.scene = Some(scene);

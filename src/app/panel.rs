@@ -56,9 +56,7 @@ impl Panel {
             self.camera = None;
         }
         if is_new_edit {
-            let warnings = &picture.warnings;
-            self.report =
-                (!warnings.diagnostics.is_empty()).then(|| (warnings.clone(), warnings.to_string()));
+            self.mend(&picture.warnings);
         }
         let ms = |time: std::time::Duration| format!("{:.1} ms", time.as_secs_f64() * 1e3);
         let times = picture.compiled.times;
@@ -74,6 +72,11 @@ impl Panel {
             ("objects", format!("{}", picture.compiled.scene.objects.len())),
             ("shader", format!("{:.1} KB", picture.compiled.source.text().len() as f64 / 1e3)),
         ];
+    }
+
+    /// The scene is right, but for `warnings`.
+    pub fn mend(&mut self, warnings: &Report) {
+        self.report = (!warnings.diagnostics.is_empty()).then(|| (warnings.clone(), warnings.to_string()));
     }
 
     /// The scene is wrong: the picture stays, the mistakes come over it.

@@ -146,6 +146,10 @@ impl ApplicationHandler<Notice> for App<'_> {
             let Some(open) = &mut app.open else { return };
             match notice {
                 Notice::Picture(picture) => open.take(picture),
+                Notice::Unchanged(warnings) => {
+                    (app.on_event)(&Event::Unchanged);
+                    open.panel.mend(&warnings);
+                }
                 Notice::Ready { pipelines } => return (app.on_event)(&Event::Ready { pipelines }),
                 Notice::Broken(report) => {
                     let errors = report.count(Severity::Error);

@@ -1,0 +1,152 @@
+//! A real X server with a real window in it: raytoy, run as a person would run it.
+
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+use x11rb::connection::Connection;
+use x11rb::protocol::xproto::{self, ConnectionExt as _, ImageFormat};
+use x11rb::protocol::xtest::ConnectionExt as _;
+use x11rb::rust_connection::RustConnection;
+
+/// Long enough for a slow machine that does something else too.
+pub const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A window of raytoy on an X server of its own; both end with it.
+pub struct Desk {
+    server: Child,
+    raytoy: Child,
+    events: Receiver<Value>,
+    screen: RustConnection,
+    root: xproto::Window,
+    /// Everything that raytoy said so far.
+    pub seen: Vec<Value>,
+}
+
+impl Desk {
+    /// Opens `scene` from the folder `home` in a window of `size`; None where there is no Xvfb.
+    pub fn open(home: &Path, scene: &str, size: [u16; 2]) -> Option<Self> {
+        let [width, height] = size;
+        let mut server = Command::new("Xvfb")
+            .args(["-displayfd", "1", "-screen", "0", &format!("{width}x{height}x24"), "-nolisten", "tcp"])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .ok()?;
+        let mut number = String::new();
+        let output = server.stdout.take().expect("it is piped");
+        BufReader::new(output).read_line(&mut number).expect("Xvfb tells its number");
+        let display = format!(":{}", number.trim());
+        let (screen, at) = x11rb::connect(Some(&display)).expect("the server is up");
+        let root = screen.setup().roots[at].root;
+        let mut raytoy = Command::new(env!("CARGO_BIN_EXE_raytoy"))
+            .args([
+                "view",
+                scene,
+                "--events",
+                "--adapter",
+                "software",
+                "--size",
+                &format!("{width}x{height}"),
+            ])
+            .current_dir(home)
+            .env("DISPLAY", &display)
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("WAYLAND_SOCKET")
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("raytoy starts");
+        let (sender, events) = channel();
+        let lines = BufReader::new(raytoy.stdout.take().expect("it is piped")).lines();
+        std::thread::spawn(move || {
+            for line in lines.map_while(Result::ok) {
+                let event = serde_json::from_str(&line).expect("each line is JSON");
+                if sender.send(event).is_err() {
+                    return;
+                }
+            }
+        });
+        Some(Self { server, raytoy, events, screen, root, seen: vec![] })
+    }
+
+    /// The next event that is `wanted`.
+    pub fn wait_for(&mut self, what: &str, wanted: impl Fn(&Value) -> bool) -> Value {
+        let until = Instant::now() + PATIENCE;
+        loop {
+            match self.events.recv_timeout(until.saturating_duration_since(Instant::now())) {
+                Ok(event) => {
+                    self.seen.push(event.clone());
+                    if wanted(&event) {
+                        return event;
+                    }
+                }
+                Err(RecvTimeoutError::Timeout) => panic!("waited in vain for {what}; seen: {:#?}", self.seen),
+                Err(RecvTimeoutError::Disconnected) => panic!("raytoy ended before {what}"),
+            }
+        }
+    }
+
+    /// The next event called `name`.
+    pub fn wait_for_event(&mut self, name: &str) -> Value {
+        self.wait_for(name, |event| event["event"] == name)
+    }
+
+    /// The color on the screen at a point, pixels from the top left.
+    pub fn color_at(&self, x: i16, y: i16) -> [u8; 3] {
+        let image = self.screen.get_image(ImageFormat::Z_PIXMAP, self.root, x, y, 1, 1, !0);
+        let data = image.expect("the server is up").reply().expect("the point is on the screen").data;
+        [data[2], data[1], data[0]]
+    }
+
+    /// Waits until the screen shows `color` at a point, to 2/255.
+    pub fn wait_for_color(&self, x: i16, y: i16, color: [u8; 3]) {
+        let until = Instant::now() + PATIENCE;
+        loop {
+            let found = self.color_at(x, y);
+            if found.iter().zip(color).all(|(a, b)| a.abs_diff(b) <= 2) {
+                return;
+            }
+            assert!(Instant::now() < until, "waited in vain for {color:?}; the screen shows {found:?}");
+            std::thread::sleep(Duration::from_millis(10));
+        }
+    }
+
+    /// Presses the first button at `from` and lets it go at `to`, at the speed of a hand.
+    pub fn drag(&self, from: [i16; 2], to: [i16; 2]) {
+        let fake = |kind: u8, detail: u8, at: [i16; 2]| {
+            self.screen
+                .xtest_fake_input(kind, detail, 0, self.root, at[0], at[1], 0)
+                .expect("the server is up");
+            self.screen.flush().expect("the server is up");
+            std::thread::sleep(Duration::from_millis(150));
+        };
+        fake(xproto::MOTION_NOTIFY_EVENT, 0, from);
+        fake(xproto::BUTTON_PRESS_EVENT, 1, from);
+        for step in 1..=4 {
+            let between = |i: usize| from[i] + (to[i] - from[i]) * step / 4;
+            fake(xproto::MOTION_NOTIFY_EVENT, 0, [between(0), between(1)]);
+        }
+        fake(xproto::BUTTON_RELEASE_EVENT, 1, to);
+    }
+
+    /// Processor time that raytoy has used so far.
+    pub fn processor_time(&self) -> Duration {
+        let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.raytoy.id())).expect("raytoy runs");
+        let fields: Vec<&str> = stat.rsplit(") ").next().unwrap_or("").split(' ').collect();
+        // utime and stime, in the kernel's hundredths of a second.
+        let ticks: u64 = fields[11..13].iter().filter_map(|f| f.parse::<u64>().ok()).sum();
+        Duration::from_millis(ticks * 10)
+    }
+}
+
+impl Drop for Desk {
+    fn drop(&mut self) {
+        for child in [&mut self.raytoy, &mut self.server] {
+            let _ = child.kill();
+            let _ = child.wait();
+        }
+    }
+}

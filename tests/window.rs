@@ -1,0 +1,167 @@
+//! The window in a real X server: every way of saving shows, mistakes keep the picture, nothing is wasted.
+#![cfg(target_os = "linux")]
+
+#[path = "common/xserver.rs"]
+mod xserver;
+
+use std::fs;
+use std::path::Path;
+use std::time::Duration;
+
+use tempfile::TempDir;
+use xserver::Desk;
+
+/// Inside the picture, left of the panel.
+const AT: (i16, i16) = (60, 60);
+const SIZE: [u16; 2] = [520, 300];
+
+/// A scene that fills the screen with one color.
+fn plain(color: &str) -> String {
+    format!("(background: {color}, render: (transfer: Linear), objects: [Sphere(center: (0, 90, 0))])")
+}
+
+fn level(x: f32) -> u8 {
+    (x * 255.0).round() as u8
+}
+
+/// A folder with a plain scene, opened and ready; None, with a word, where there is no Xvfb.
+fn opened(text: &str) -> Option<(TempDir, Desk)> {
+    let home = TempDir::new().expect("there is room for a folder");
+    fs::write(home.path().join("scene.ron"), text).expect("the folder is writable");
+    match Desk::open(home.path(), "scene.ron", SIZE) {
+        Some(mut desk) => {
+            desk.wait_for_event("ready");
+            Some((home, desk))
+        }
+        None if std::env::var_os("RAYTOY_REQUIRE_GPU").is_some() => panic!("there is no Xvfb"),
+        None => {
+            eprintln!("skipped: no Xvfb");
+            None
+        }
+    }
+}
+
+/// Saves as editors do that write beside and rename.
+fn save_by_rename(scene: &Path, text: &str) {
+    let beside = scene.with_extension("tmp");
+    fs::write(&beside, text).expect("the folder is writable");
+    fs::rename(&beside, scene).expect("both are in one folder");
+}
+
+#[test]
+fn every_way_of_saving_shows() {
+    let Some((home, desk)) = opened(&plain("0.1")) else { return };
+    let scene = home.path().join("scene.ron");
+    let shows = |x: f32| desk.wait_for_color(AT.0, AT.1, [level(x); 3]);
+    shows(0.1);
+    save_by_rename(&scene, &plain("0.2"));
+    shows(0.2);
+    save_by_rename(&scene, &plain("0.3"));
+    shows(0.3);
+    // Truncate, then write: fs::write does just that.
+    fs::write(&scene, plain("0.4")).expect("the folder is writable");
+    shows(0.4);
+    fs::write(&scene, "").expect("the folder is writable");
+    std::thread::sleep(Duration::from_millis(100));
+    fs::write(&scene, plain("0.5")).expect("the folder is writable");
+    shows(0.5);
+    fs::remove_file(&scene).expect("it is there");
+    std::thread::sleep(Duration::from_millis(100));
+    fs::write(&scene, plain("0.6")).expect("the folder is writable");
+    shows(0.6);
+    // vim: rename away, write anew, delete the backup.
+    let backup = home.path().join("scene.ron~");
+    fs::rename(&scene, &backup).expect("both are in one folder");
+    fs::write(&scene, plain("0.7")).expect("the folder is writable");
+    fs::remove_file(&backup).expect("it is there");
+    shows(0.7);
+    for i in 0..50 {
+        let text = plain(&format!("{}", 0.01 * i as f32));
+        if i % 2 == 0 {
+            save_by_rename(&scene, &text)
+        } else {
+            fs::write(&scene, &text).expect("writable")
+        }
+        std::thread::sleep(Duration::from_millis(7));
+    }
+    fs::write(&scene, plain("0.95")).expect("the folder is writable");
+    shows(0.95);
+}
+
+#[test]
+fn a_mistake_keeps_the_picture_and_a_repair_needs_nothing_else() {
+    let Some((home, mut desk)) = opened(&plain("0.1")) else { return };
+    let scene = home.path().join("scene.ron");
+    desk.wait_for_color(AT.0, AT.1, [level(0.1); 3]);
+    save_by_rename(&scene, &plain("0.5").replace("Sphere", "Spere"));
+    let broken = desk.wait_for_event("broken");
+    assert_eq!(broken["errors"], 1);
+    assert!(broken["text"].as_str().is_some_and(|t| t.contains("did you mean `Sphere`?")), "{broken}");
+    assert_eq!(desk.color_at(AT.0, AT.1), [level(0.1); 3], "the last good picture stays");
+    save_by_rename(&scene, &plain("0.5"));
+    desk.wait_for_color(AT.0, AT.1, [level(0.5); 3]);
+    save_by_rename(&scene, &(plain("0.5") + " // a comment"));
+    desk.wait_for_event("unchanged");
+}
+
+#[test]
+fn numbers_make_no_pipeline_and_structure_makes_one() {
+    let Some((home, mut desk)) = opened(&plain("0.1")) else { return };
+    let scene = home.path().join("scene.ron");
+    let made = desk.seen.last().expect("it is ready")["pipelines"].clone();
+    for x in ["0.2", "0.3", "0.4"] {
+        save_by_rename(&scene, &plain(x));
+        let shown =
+            desk.wait_for("an edited number", |e| e["event"] == "presented" && e["change"] == "numbers");
+        assert_eq!(shown["pipelines"], made, "a number is an upload");
+        desk.wait_for_color(AT.0, AT.1, [level(x.parse().expect("a number")); 3]);
+    }
+    save_by_rename(
+        &scene,
+        &plain("0.6").replace("Sphere(center: (0, 90, 0))", "Box(min: (0, 90, 0), max: (1, 91, 1))"),
+    );
+    desk.wait_for("another shape", |e| e["event"] == "presented" && e["change"] == "structure");
+    let ready = desk.wait_for_event("ready");
+    assert!(ready["pipelines"].as_u64() > made.as_u64(), "another shape is another shader");
+    desk.wait_for_color(AT.0, AT.1, [level(0.6); 3]);
+}
+
+#[test]
+fn a_texture_that_was_missing_is_noticed_and_its_edits_too() {
+    let missing = plain("Flat()");
+    let home = TempDir::new().expect("there is room for a folder");
+    fs::write(home.path().join("scene.ron"), &missing).expect("the folder is writable");
+    let Some(mut desk) = Desk::open(home.path(), "scene.ron", SIZE) else { return };
+    let broken = desk.wait_for_event("broken");
+    assert!(broken["text"].as_str().is_some_and(|t| t.contains("there is no texture `Flat`")), "{broken}");
+    let flat =
+        |x: &str| format!("/// One color.\nfn flat(at: Surface) -> vec3f {{\n    return vec3f({x});\n}}\n");
+    fs::create_dir(home.path().join("textures")).expect("the folder is writable");
+    fs::write(home.path().join("textures/flat.wgsl"), flat("0.3")).expect("the folder is writable");
+    desk.wait_for_color(AT.0, AT.1, [level(0.3); 3]);
+    fs::write(home.path().join("textures/flat.wgsl"), flat("0.7")).expect("the folder is writable");
+    desk.wait_for_color(AT.0, AT.1, [level(0.7); 3]);
+}
+
+#[test]
+fn a_drag_turns_the_camera_and_a_still_picture_costs_nothing() {
+    let scene = "(
+        camera: (eye: (0, 0, 5), target: (0, 0, 0)),
+        objects: [Box(min: (-1, -1, -1), max: (1, 1, 1), material: (color: 0, emission: (1, 0, 0)))],
+        background: Gradient(zenith: (0, 0, 1), horizon: (0, 1, 0)),
+    )";
+    let Some((_home, mut desk)) = opened(scene) else { return };
+    let middle = [135, 150];
+    desk.wait_for_color(middle[0], middle[1], [255, 0, 0]);
+    // Level with the horizon the upper edge shows the sky's first green; from above, the ground below it.
+    let before = desk.color_at(20, 20);
+    desk.drag(middle, [middle[0], middle[1] + 90]);
+    let turned = |desk: &Desk| desk.color_at(20, 20).iter().zip(before).any(|(a, b)| a.abs_diff(b) > 8);
+    desk.wait_for("a turned picture", |e| e["event"] == "presented" && e["samples"] == 64);
+    assert!(turned(&desk), "the sky moves with the camera");
+    std::thread::sleep(Duration::from_millis(500));
+    let used = desk.processor_time();
+    std::thread::sleep(Duration::from_secs(3));
+    let more = desk.processor_time() - used;
+    assert!(more <= Duration::from_millis(60), "an idle window used {more:?} in three seconds");
+}
