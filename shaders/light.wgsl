@@ -71,7 +71,7 @@ fn visibleShare(light: Light, origin: vec3f) -> f32 {
     for (var i = 0u; i < n; i++) {
         // A sunflower's seeds on the disk (Vogel, 1979), the R2 sequence on the parallelogram
         // (Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018).
-        spoke = vec2f(-0.73736888 * spoke.x - 0.67549029 * spoke.y, 0.67549029 * spoke.x - 0.73736888 * spoke.y);
+        spoke = -0.73736888 * spoke + 0.67549029 * vec2f(-spoke.y, spoke.x);
         let disk = sqrt((f32(i) + turn.x) / f32(n)) * spoke;
         let square = 2.0 * fract(turn + f32(i) * vec2f(0.7548776662, 0.5698402910)) - 1.0;
         let on = select(square, disk, round);

@@ -18,6 +18,10 @@ fn coverPicture(@builtin(vertex_index) corner: u32) -> Covered {
 @fragment
 fn tracePixel(covered: Covered) -> @location(0) vec4f {
     zero = covered.zero;
+    // Never, but Mesa's software driver compiles a shader twice that surely fills its pixels.
+    if zero != 0u {
+        discard;
+    }
     let pixel = covered.pixel.xy;
     let place = (2.0 * (pixel + frame.jitter) / frame.resolution - 1.0)
         * vec2f(frame.resolution.x / frame.resolution.y, -1.0);
@@ -25,7 +29,7 @@ fn tracePixel(covered: Covered) -> @location(0) vec4f {
     let at = vec2u(pixel);
     seed = hashed(at.x + hashed(at.y + hashed(frame.sample)));
     let now = viewed(traceTree(frame.eye, direction));
-    // Depth and object are those of the first sample, through the pixel's centre: a mean of them means nothing.
+    // Depth and object are the first sample's, through the pixel's centre: a mean of them means nothing.
     let before = textureLoad(accumulated, at, 0);
     let mean = vec4f(mix(before.rgb, now.rgb, 1.0 / f32(frame.sample + 1u)), before.a);
     return select(mean, now, frame.sample == 0u);

@@ -49,7 +49,9 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             met.at.footprint = width * met.scale / max(abs(dot(met.normal, v)), 0.02);
             let facing = select(met.normal, -met.normal, inside);
             var n = normalAt(hit.object, met);
-            n = select(n, -n, dot(n, v) < 0.0);
+            n = select(n, -n, inside);
+            // A bump may tilt the normal away from the viewer, who then sees the slope edge on.
+            n = normalize(n + max(0.001 - dot(n, v), 0.0) * v);
             let material = materialAt(hit.object, met.at);
             let outside = spawnPoint(p, facing, hit.t);
             let shaded = shade(p, outside, n, v, material);

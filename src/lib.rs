@@ -47,6 +47,18 @@ pub struct Compiled {
     pub times: Times,
 }
 
+impl Compiled {
+    /// The same scene with its numbers in the other `mode`.
+    ///
+    /// # Errors
+    /// Where naga refuses that text although it took the other, which would be a mistake of ours.
+    pub fn in_mode(&self, mode: Mode) -> Result<Self, Diagnostic> {
+        let source = wgsl::generate(&self.scene, mode);
+        let module = on_deep_stack(|| module::validate(&source))?;
+        Ok(Self { scene: self.scene.clone(), source, module, times: self.times })
+    }
+}
+
 /// How long each stage took.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Times {

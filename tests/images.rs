@@ -4,7 +4,7 @@ mod common;
 
 use std::path::Path;
 
-use common::{BLESS, expect_compiled, expect_none, files, how_to_bless, is_blessing, outcome, picture, root};
+use common::{expect_compiled, expect_none, files, how_to_bless, is_blessing, outcome, picture, root};
 use image::{GrayImage, RgbImage};
 use image_compare::Algorithm;
 use raytoy::gpu::{Gpu, View};
@@ -97,7 +97,7 @@ fn check_picture(gpu: &Gpu, case: &str) -> Result<(), String> {
     };
     save(&actual, &beside(&golden, "new"))?;
     let advice = format!("look at {}; {}", beside(&golden, "new"), how_to_bless(&golden));
-    Err(format!("{golden}: {problem}\n  {advice} ({BLESS})"))
+    Err(format!("{golden}: {problem}\n  {advice}"))
 }
 
 fn draw(gpu: &Gpu, scene: &str) -> RgbImage {

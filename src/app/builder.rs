@@ -5,12 +5,12 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::mpsc::{Sender, channel};
 use std::time::{Duration, Instant};
 
 use super::events::Change;
 use crate::diagnostic::{Diagnostic, Report};
-use crate::gpu::{Gpu, GpuError, Pipeline};
+use crate::gpu::{Gpu, Pipeline};
 use crate::sources::Sources;
 use crate::watch::Watcher;
 use crate::wgsl::Mode;
@@ -22,6 +22,8 @@ pub enum Order {
     Open(PathBuf),
     /// The same, whose files have changed.
     Changed,
+    /// The last version is on the screen: there is time for its live pipeline.
+    Shown,
 }
 
 /// What came of it.
@@ -50,9 +52,9 @@ pub fn start(gpu: Gpu, done: impl Fn(Built) + Send + 'static) -> Sender<Order> {
     let changes = sender.clone();
     std::thread::spawn(move || {
         let watcher = Watcher::new(move || drop(changes.send(Order::Changed)));
-        let mut builder = Builder { gpu, watcher, scene: PathBuf::new(), before: None };
-        while builder.next_order(&receiver) {
-            builder.build(&done);
+        let mut builder = Builder { gpu, watcher, scene: PathBuf::new(), before: None, without_live: None };
+        while let Ok(first) = receiver.recv() {
+            builder.obey(std::iter::once(first).chain(receiver.try_iter()), &done);
         }
     });
     sender
@@ -64,18 +66,27 @@ struct Builder {
     scene: PathBuf,
     /// The last version that could be drawn.
     before: Option<Arc<Compiled>>,
+    /// The same, while it has no live pipeline: that waits until the author sees the baked one.
+    without_live: Option<Arc<Compiled>>,
 }
 
 impl Builder {
-    /// Waits for an order, and takes all that have come with it as one; whether there was one.
-    fn next_order(&mut self, receiver: &Receiver<Order>) -> bool {
-        let Ok(first) = receiver.recv() else { return false };
-        for order in std::iter::once(first).chain(receiver.try_iter()) {
+    /// Takes all orders that have come as one.
+    fn obey(&mut self, orders: impl Iterator<Item = Order>, done: &impl Fn(Built)) {
+        let mut is_stale = false;
+        for order in orders {
             if let Order::Open(scene) = order {
                 self.scene = scene;
+                is_stale = true;
+            } else if let Order::Changed = order {
+                is_stale = true;
             }
         }
-        true
+        if is_stale {
+            self.build(done);
+        } else {
+            self.build_live(done);
+        }
     }
 
     fn build(&mut self, done: &impl Fn(Built)) {
@@ -86,15 +97,18 @@ impl Builder {
         self.watcher.watch(sources.asked());
         let Some(compiled) = outcome.compiled else { return done(Built::Broken(outcome.report)) };
         let compiled = Arc::new(compiled);
-        let change = self.change(&compiled);
+        let mut change = self.change(&compiled);
+        if change == Change::Numbers && !self.build_live(done) {
+            change = Change::Structure;
+        }
         let started = Instant::now();
         let mut baked = None;
         if change == Change::Structure {
-            let twin = compile(&sources, &self.scene, Mode::Baked, None).compiled;
-            let built = Pipeline::build(&self.gpu, twin.as_ref().unwrap_or(&compiled));
-            match built {
+            match self.baked(&compiled) {
                 Ok(pipeline) => baked = Some(pipeline),
-                Err(error) => return done(Built::Broken(refused(&error))),
+                Err(problem) => {
+                    return done(Built::Broken(Report { diagnostics: vec![problem], ..outcome.report }));
+                }
             }
         }
         let pipeline_time = started.elapsed();
@@ -109,12 +123,24 @@ impl Builder {
         done(Built::Scene(Box::new(version)));
         self.before = Some(compiled.clone());
         if change == Change::Structure {
-            match Pipeline::build(&self.gpu, &compiled) {
-                Ok(pipeline) => done(Built::Live(pipeline)),
-                // Without a live pipeline every edit is a structural one.
-                Err(_) => self.before = None,
-            }
+            self.without_live = Some(compiled);
         }
+    }
+
+    /// Makes the live pipeline of the last structural edit, if that has none yet; whether there is one now.
+    fn build_live(&mut self, done: &impl Fn(Built)) -> bool {
+        let Some(compiled) = self.without_live.take() else { return self.before.is_some() };
+        match Pipeline::build(&self.gpu, &compiled) {
+            Ok(pipeline) => done(Built::Live(pipeline)),
+            // A scene may have more numbers than the GPU takes. Then every edit is a structural one.
+            Err(_) => self.before = None,
+        }
+        self.before.is_some()
+    }
+
+    fn baked(&self, compiled: &Compiled) -> Result<Pipeline, Diagnostic> {
+        let twin = compiled.in_mode(Mode::Baked)?;
+        Pipeline::build(&self.gpu, &twin).map_err(|error| Diagnostic::error(error.to_string()))
     }
 
     fn change(&self, compiled: &Compiled) -> Change {
@@ -131,8 +157,4 @@ impl Builder {
             _ => Change::Structure,
         }
     }
-}
-
-fn refused(error: &GpuError) -> Report {
-    Report { diagnostics: vec![Diagnostic::error(error.to_string())], ..Report::default() }
 }

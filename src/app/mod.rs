@@ -9,6 +9,7 @@
 mod builder;
 mod camera;
 mod events;
+mod messages;
 mod painter;
 mod panel;
 mod screen;
@@ -29,7 +30,7 @@ pub struct Options {
     pub adapter: AdapterChoice,
 }
 
-/// Opens a window and returns when it is closed. `on_event` is told what happens, for programs that drive raytoy.
+/// Opens a window and returns when it is closed. `on_event` is told what happens.
 ///
 /// # Errors
 /// Where there is no display or no GPU: what to tell the user.

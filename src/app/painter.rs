@@ -1,77 +1,13 @@
 //! The thread that draws: a coarse picture at once, then samples until it is fine, in slices, so that any
 //! wish of the window is heard within a tenth of a second.
 
-use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
 use super::builder::{Built, Version};
 use super::events::Change;
-use crate::Compiled;
-use crate::diagnostic::Report;
+use super::messages::{FORMAT, Look, Notice, Picture, Texels, Wish};
 use crate::gpu::{Display, Gpu, GpuError, Moment, Pipeline, Target, Tracer, View, sample_offset};
-use crate::ir::Camera;
-
-/// What the window wants to see.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
-    /// Pixels.
-    pub size: [u32; 2],
-    /// None for the scene's own.
-    pub camera: Option<Camera>,
-    pub view: View,
-    /// Pixels from the top left.
-    pub mouse: [f32; 2],
-}
-
-/// Something for the painter to do.
-pub enum Wish {
-    Built(Built),
-    Look(Look),
-    /// The last picture is on the screen.
-    Shown,
-}
-
-/// Something for the window to show.
-pub enum Notice {
-    Picture(Picture),
-    /// What the files say is what is shown; with its warnings.
-    Unchanged(Report),
-    /// Numbers can be edited without another pipeline; how many were made so far.
-    Ready {
-        pipelines: u32,
-    },
-    /// The scene is wrong; nothing else changes.
-    Broken(Report),
-    /// The GPU failed.
-    Failed(GpuError),
-}
-
-/// A picture and where it came from.
-pub struct Picture {
-    pub texels: Texels,
-    pub edit: u64,
-    pub change: Change,
-    pub samples: u32,
-    pub resolution: f32,
-    pub pipelines: u32,
-    pub noticed: Instant,
-    pub pipeline_time: Duration,
-    /// Of one sample at the shown resolution.
-    pub frame_time: Duration,
-    pub compiled: Arc<Compiled>,
-    pub warnings: Report,
-}
-
-/// How the picture gets to the window.
-pub enum Texels {
-    /// On the window's own device.
-    Shared(wgpu::Texture),
-    /// From a device of its own: a software driver compiles while it draws, and would stop the window.
-    Bytes { size: [u32; 2], rgba: Vec<u8> },
-}
-
-pub const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// No slice of a picture takes much longer.
 const SLICE: Duration = Duration::from_millis(60);
@@ -101,7 +37,8 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
             coarseness: 1,
             rows_done: 0,
             sample_started: Instant::now(),
-            nanos_per_pixel: 0.0,
+            nanos_per_pixel: if shares_device { 10.0 } else { 150.0 },
+            is_probe: true,
             shown: Instant::now(),
             waits_until: None,
             started: Instant::now(),
@@ -144,8 +81,10 @@ struct Painter {
     coarseness: u32,
     rows_done: u32,
     sample_started: Instant,
-    /// What a pixel cost lately; 0 while unknown.
+    /// What a pixel cost lately.
     nanos_per_pixel: f64,
+    /// Whether the pipeline has not drawn yet: its first slice may hold the driver's compile time.
+    is_probe: bool,
     shown: Instant,
     /// When to go on although the window has not shown the last picture.
     waits_until: Option<Instant>,
@@ -167,9 +106,8 @@ impl Painter {
                     Ok(wish) => self.grant(wish),
                     Err(_) => self.waits_until = None,
                 }
-                continue;
             }
-            if self.is_done() {
+            if self.is_done() || self.waits_until.is_some() {
                 continue;
             }
             let done = if self.needs_warming() { self.warm_up() } else { self.draw_slice() };
@@ -233,12 +171,11 @@ impl Painter {
         if version.change == Change::Cosmetic {
             return (self.notify)(Notice::Unchanged(version.warnings));
         }
+        self.waits_until = None;
         let before = self.scene.take();
         let edit = before.as_ref().map_or(0, |scene| scene.edit + 1);
         let baked = version.baked.take();
-        if baked.is_some() {
-            self.nanos_per_pixel = 0.0;
-        }
+        self.is_probe |= baked.is_some();
         let snippets = version.compiled.source.sections.iter().filter(|s| !s.name.starts_with("shaders/"));
         let reads = |what: &str| snippets.clone().any(|s| s.text.contains(what));
         let (moves, reads_mouse) = (reads("frame.time"), reads("frame.mouse"));
@@ -280,8 +217,7 @@ impl Painter {
         }
         let tracer = self.tracer.as_mut().expect("it was just made");
         let row_nanos = self.nanos_per_pixel * f64::from(size[0]);
-        // Nothing is known of a new pipeline: a few rows tell, and let a driver compile.
-        let rows = if row_nanos == 0.0 { 4 } else { (SLICE.as_nanos() as f64 / row_nanos) as u32 };
+        let rows = if self.is_probe { 2 } else { (SLICE.as_nanos() as f64 / row_nanos) as u32 };
         let end = self.rows_done.saturating_add(rows.max(1)).min(size[1]);
         let compiled = &scene.version.compiled;
         let mut moment = Moment::of(&compiled.scene);
@@ -296,12 +232,12 @@ impl Painter {
         let jitter = sample_offset(tracer.samples(), SAMPLES);
         tracer.draw(scene.pipeline(), &moment, &compiled.scene.render, jitter, self.rows_done..end);
         self.gpu.wait()?;
-        let known = self.nanos_per_pixel > 0.0;
-        let nanos =
-            begun.elapsed().as_nanos() as f64 / (f64::from(size[0]) * f64::from(end - self.rows_done));
-        // The first slice of a pipeline holds the driver's compile time, so it only stands in until the next.
-        let is_probe = !known && self.rows_done == 0;
-        self.nanos_per_pixel = if is_probe { 20.0 } else { 0.5 * (self.nanos_per_pixel + nanos) };
+        if !self.is_probe {
+            let pixels = f64::from(size[0]) * f64::from(end - self.rows_done);
+            let nanos = begun.elapsed().as_nanos() as f64 / pixels;
+            self.nanos_per_pixel = 0.5 * (self.nanos_per_pixel + nanos);
+        }
+        self.is_probe = false;
         self.rows_done = end;
         if end == size[1] {
             self.finish_sample()?;
@@ -337,7 +273,8 @@ impl Painter {
         let target = canvas.create_view(&Default::default());
         let whole = Target { corner: [0.0; 2], zoom: 1.0 };
         let version = &scene.version;
-        self.display.draw(tracer.picture(), self.look.view, &version.compiled.scene.render, &target, whole);
+        let light = (self.look.view == View::Color).then_some(&version.compiled.scene.render);
+        self.display.draw(tracer.picture(), light, &target, whole);
         let texels = if self.shares_device {
             Texels::Shared(canvas)
         } else {

@@ -6,7 +6,7 @@ use egui::{Color32, Frame, PointerButton, RichText, Sense, Ui};
 use glam::Vec2;
 
 use super::camera;
-use super::painter::{Look, Picture};
+use super::messages::{Look, Picture};
 use crate::diagnostic::Report;
 use crate::gpu::View;
 use crate::ir::Camera;
@@ -62,7 +62,8 @@ impl Panel {
         let times = picture.compiled.times;
         let per_second = 1.0 / picture.frame_time.as_secs_f64().max(1e-6);
         self.facts = vec![
-            ("frame", format!("{} ({per_second:.0} a second)", ms(picture.frame_time))),
+            ("frame", ms(picture.frame_time)),
+            ("rate", format!("{per_second:.0} a second")),
             ("samples", format!("{}", picture.samples)),
             ("parse", ms(times.parse)),
             ("resolve", ms(times.resolve)),
@@ -86,9 +87,9 @@ impl Panel {
     }
 
     /// Lays everything out.
-    pub fn show(&mut self, ui: &mut Ui, picture: Option<egui::TextureId>) -> Reply {
+    pub fn show(&mut self, ui: &mut Ui, has_picture: bool) -> Reply {
         let open = egui::Panel::right("panel").exact_size(250.0).show(ui, |ui| self.side(ui)).inner;
-        let look = egui::CentralPanel::no_frame().show(ui, |ui| self.picture(ui, picture)).inner;
+        let look = egui::CentralPanel::no_frame().show(ui, |ui| self.picture(ui, has_picture)).inner;
         Reply { look, open }
     }
 
@@ -145,17 +146,11 @@ impl Panel {
         open
     }
 
-    fn picture(&mut self, ui: &mut Ui, picture: Option<egui::TextureId>) -> Look {
+    fn picture(&mut self, ui: &mut Ui, has_picture: bool) -> Look {
         let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-        let painter = ui.painter();
-        painter.rect_filled(area, 0.0, Color32::from_gray(12));
-        if let Some(picture) = picture {
-            let whole = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
-            painter.image(picture, area, whole, Color32::WHITE);
-        } else if self.report.is_none() {
-            let center = area.center();
+        if !has_picture && self.report.is_none() {
             let font = egui::FontId::proportional(16.0);
-            painter.text(center, egui::Align2::CENTER_CENTER, "compiling…", font, Color32::GRAY);
+            ui.painter().text(area.center(), egui::Align2::CENTER_CENTER, "compiling…", font, Color32::GRAY);
         }
         self.move_camera(ui, &response, area);
         let points = ui.ctx().pixels_per_point();

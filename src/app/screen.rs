@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use winit::window::Window;
 
-use super::painter::{FORMAT, Texels};
-use crate::gpu::{AdapterChoice, Gpu};
+use super::messages::{FORMAT, Texels};
+use crate::gpu::{AdapterChoice, Display, Gpu, Target};
 
 /// A surface with what draws on it.
 pub struct Screen {
@@ -13,8 +13,9 @@ pub struct Screen {
     surface: wgpu::Surface<'static>,
     config: wgpu::SurfaceConfiguration,
     egui: egui_wgpu::Renderer,
-    /// The picture, kept for as long as egui shows it.
-    picture: Option<(egui::TextureId, wgpu::Texture)>,
+    /// What puts the picture there: faster than egui, which blends.
+    display: Display,
+    picture: Option<wgpu::Texture>,
 }
 
 impl Screen {
@@ -42,7 +43,8 @@ impl Screen {
         surface.configure(&gpu.device, &config);
         let options = egui_wgpu::RendererOptions { dithering: false, ..Default::default() };
         let egui = egui_wgpu::Renderer::new(&gpu.device, config.format, options);
-        Ok(Self { gpu, surface, config, egui, picture: None })
+        let display = Display::new(&gpu, config.format);
+        Ok(Self { gpu, surface, config, egui, display, picture: None })
     }
 
     pub fn resize(&mut self, width: u32, height: u32) {
@@ -53,19 +55,18 @@ impl Screen {
         }
     }
 
-    /// What egui calls the picture.
-    pub fn picture(&self) -> Option<egui::TextureId> {
-        self.picture.as_ref().map(|(id, _)| *id)
+    pub fn has_picture(&self) -> bool {
+        self.picture.is_some()
     }
 
     pub fn set_picture(&mut self, texels: Texels) {
         let Gpu { device, queue, .. } = &self.gpu;
-        let texture = match texels {
+        self.picture = Some(match texels {
             Texels::Shared(texture) => texture,
             Texels::Bytes { size: [width, height], rgba } => {
                 let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
-                let old = self.picture.as_ref().map(|(_, texture)| texture).filter(|t| t.size() == size);
-                let texture = old.cloned().unwrap_or_else(|| picture_texture(device, size));
+                let old = self.picture.take().filter(|texture| texture.size() == size);
+                let texture = old.unwrap_or_else(|| picture_texture(device, size));
                 let layout = wgpu::TexelCopyBufferLayout {
                     offset: 0,
                     bytes_per_row: Some(4 * width),
@@ -74,22 +75,13 @@ impl Screen {
                 queue.write_texture(texture.as_image_copy(), &rgba, layout, size);
                 texture
             }
-        };
-        let view = texture.create_view(&Default::default());
-        let filter = wgpu::FilterMode::Linear;
-        let id = match self.picture() {
-            Some(id) => {
-                self.egui.update_egui_texture_from_wgpu_texture(device, &view, filter, id);
-                id
-            }
-            None => self.egui.register_native_texture(device, &view, filter),
-        };
-        self.picture = Some((id, texture));
+        });
     }
 
-    /// Draws what egui has laid out; whether it is on the screen now.
+    /// Draws the picture, `width` pixels wide, and what egui has laid out; whether it is on the screen now.
     pub fn present(
         &mut self,
+        width: u32,
         context: &egui::Context,
         mut output: egui::FullOutput,
         window: &Window,
@@ -109,14 +101,19 @@ impl Screen {
         let target = self.next_target();
         if let Some(target) = &target {
             let view = target.texture.create_view(&Default::default());
+            let load = match &self.picture {
+                Some(picture) => {
+                    let zoom = width.div_ceil(picture.width()).max(1) as f32;
+                    self.display.draw(picture, None, &view, Target { corner: [0.0; 2], zoom });
+                    wgpu::LoadOp::Load
+                }
+                None => wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+            };
             let attachment = wgpu::RenderPassColorAttachment {
                 view: &view,
                 depth_slice: None,
                 resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                    store: wgpu::StoreOp::Store,
-                },
+                ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
             };
             let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 color_attachments: &[Some(attachment)],

@@ -12,7 +12,8 @@ use winit::window::{Window, WindowId};
 use super::Options;
 use super::builder::{self, Order};
 use super::events::Event;
-use super::painter::{self, Look, Notice, Picture, Wish};
+use super::messages::{Look, Notice, Picture, Wish};
+use super::painter;
 use super::panel::Panel;
 use super::screen::Screen;
 use crate::diagnostic::{Diagnostic, Report, Severity};
@@ -21,7 +22,8 @@ use crate::gpu::Gpu;
 /// Opens the window and returns when it is closed.
 pub fn run(options: Options, on_event: &dyn Fn(&Event)) -> Result<(), String> {
     let events = EventLoop::<Notice>::with_user_event().build().map_err(|error| {
-        format!("no window can be opened: {error}\nwithout a display, draw to a file: raytoy render SCENE -o out.png")
+        let instead = "without a display, draw to a file: raytoy render SCENE -o out.png";
+        format!("no window can be opened: {error}\n{instead}")
     })?;
     let proxy = events.create_proxy();
     let mut app = App { options, on_event, proxy, open: None, failure: None, blocked: Duration::ZERO };
@@ -115,6 +117,7 @@ impl App<'_> {
         let presented = open.draw();
         if presented {
             let _ = open.painter.send(Wish::Shown);
+            let _ = open.builder.send(Order::Shown);
         }
         if presented && let Some(mut event) = open.fresh.take() {
             if let Event::Presented { since_change_ms, blocked_ms, .. } = &mut event {
@@ -217,9 +220,9 @@ impl Open {
     /// Lays out and presents; whether the screen shows it.
     fn draw(&mut self) -> bool {
         let input = self.input.take_egui_input(&self.window);
-        let shown = self.screen.picture();
+        let has_picture = self.screen.has_picture();
         let mut reply = None;
-        let mut output = self.context.run_ui(input, |ui| reply = Some(self.panel.show(ui, shown)));
+        let mut output = self.context.run_ui(input, |ui| reply = Some(self.panel.show(ui, has_picture)));
         if let Some(reply) = reply {
             if let Some(scene) = reply.open {
                 let _ = self.builder.send(Order::Open(scene));
@@ -233,6 +236,7 @@ impl Open {
         let delay = delays.min().unwrap_or(Duration::MAX);
         self.wake = Instant::now().checked_add(delay).filter(|_| delay < Duration::from_secs(3600));
         self.input.handle_platform_output(&self.window, std::mem::take(&mut output.platform_output));
-        self.screen.present(&self.context, output, &self.window)
+        let width = self.look.map_or(1, |look| look.size[0]);
+        self.screen.present(width, &self.context, output, &self.window)
     }
 }

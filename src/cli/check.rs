@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Failure, Result, print_report, sources_for};
 use crate::diagnostic::Report;
-use crate::library::{Family, Library, Type, name_of};
+use crate::library::{Family, Library, Parameter, Type, name_of};
 use crate::sources::Sources;
 use crate::wgsl::Mode;
 use crate::{Outcome, compile};
@@ -28,8 +28,14 @@ pub fn run(paths: &[PathBuf]) -> Result {
     }
     match (files.len(), wrong) {
         (0, _) => Err(Failure::Call("there are no .ron or .wgsl files".into())),
-        (1, 0) => Ok(eprintln!("{} is right", files[0].display())),
-        (n, 0) => Ok(eprintln!("all {n} files are right")),
+        (1, 0) => {
+            eprintln!("{} is right", files[0].display());
+            Ok(())
+        }
+        (n, 0) => {
+            eprintln!("all {n} files are right");
+            Ok(())
+        }
         (n, wrong) => {
             eprintln!("{wrong} of {n} files with mistakes");
             Err(Failure::Scene)
@@ -86,8 +92,7 @@ fn check_snippet(sources: Sources, file: &Path) -> Result<Outcome> {
         }
     };
     let required = function.parameters.iter().enumerate().filter(|(_, p)| p.default.is_none());
-    let arguments: Vec<String> =
-        required.map(|(i, p)| format!("{}: {}", p.name, stand_in(p.ty, i))).collect();
+    let arguments: Vec<String> = required.map(|(i, p)| format!("{}: {}", p.name, stand_in(p, i))).collect();
     let call = format!("{name}({})", arguments.join(", "));
     let object = match function.kind {
         crate::library::Kind::Shape => call,
@@ -99,14 +104,16 @@ fn check_snippet(sources: Sources, file: &Path) -> Result<Outcome> {
     Ok(compile(&sources, &scene, Mode::Baked, None))
 }
 
-/// A value of type `ty` in RON, another one for each parameter, so that no two points coincide.
-fn stand_in(ty: Type, index: usize) -> String {
-    let x = index + 1;
-    match ty {
+/// A value in RON that `parameter` takes, another one for each index, so that no two points coincide.
+fn stand_in(parameter: &Parameter, index: usize) -> String {
+    let number = |x: usize| match parameter.range {
+        Some((low, high)) => (x as f32).clamp(low, high).to_string(),
+        None => x.to_string(),
+    };
+    let numbers = [index + 1, (index + 1) * (index + 1), 1, 1].map(number);
+    match parameter.ty {
         Type::Bool => "true".into(),
-        Type::F32 | Type::I32 | Type::U32 => x.to_string(),
-        Type::Vec2 => format!("({x}, {})", x * x),
-        Type::Vec3 => format!("({x}, {}, 1)", x * x),
-        Type::Vec4 => format!("({x}, {}, 1, 1)", x * x),
+        ty if ty.size() == 1 => numbers[0].clone(),
+        ty => format!("({})", numbers[..ty.size()].join(", ")),
     }
 }

@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-use super::{Gpu, GpuError, View};
+use super::{Gpu, GpuError};
 use crate::ir;
 use crate::library::built_in;
 
@@ -69,28 +69,28 @@ impl Display {
         Self { gpu: gpu.clone(), pipeline, layout, options }
     }
 
-    /// Draws all of `target` with `picture`, which shows `view`.
+    /// Draws `picture` on `target`: light as `render` says it is to be shown, other values as they are.
     pub fn draw(
         &self,
         picture: &wgpu::Texture,
-        view: View,
-        render: &ir::Render,
+        render: Option<&ir::Render>,
         target: &wgpu::TextureView,
         place: Target,
     ) {
-        let (transfer, gamma) = match render.transfer {
+        let transfer = render.map_or(ir::Transfer::Linear, |r| r.transfer);
+        let (transfer, gamma) = match transfer {
             ir::Transfer::Linear => (0, 1.0),
             ir::Transfer::Srgb => (1, 1.0),
             ir::Transfer::Gamma(gamma) => (2, gamma),
         };
         let options = Options {
-            gain: render.gain,
-            tone_map: render.tone_map as u32,
+            gain: render.map_or(1.0, |r| r.gain),
+            tone_map: render.map_or(0, |r| r.tone_map as u32),
             transfer,
             gamma,
             corner: place.corner,
             zoom: place.zoom,
-            is_light: u32::from(view == View::Color),
+            is_light: u32::from(render.is_some()),
         };
         let Gpu { device, queue, .. } = &self.gpu;
         queue.write_buffer(&self.options, 0, bytemuck::bytes_of(&options));

@@ -94,7 +94,8 @@ fn finish(
     let canvas = display.canvas(tracer.picture(), format);
     let target = canvas.create_view(&Default::default());
     let whole = Target { corner: [0.0; 2], zoom: 1.0 };
-    display.draw(tracer.picture(), view, &compiled.scene.render, &target, whole);
+    let light = (view == View::Color).then_some(&compiled.scene.render);
+    display.draw(tracer.picture(), light, &target, whole);
     let rgba = display.read(&canvas)?;
     let bytes = gpu.read_texture(tracer.picture(), 16)?;
     let texels: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);

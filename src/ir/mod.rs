@@ -64,6 +64,8 @@ pub struct Call {
 /// Colors at places of a pattern, linear between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ramp {
+    /// What moves the point first.
+    pub at: Option<Box<Call>>,
     pub by: Value,
     /// At least two, in ascending order.
     pub stops: Vec<(f32, Value)>,

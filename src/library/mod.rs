@@ -53,11 +53,14 @@ impl Family {
     }
 }
 
+/// What a file says, or all that is wrong with it.
+type Read = Result<Arc<Function>, Vec<Diagnostic>>;
+
 /// Finds what a scene names: beside the scene, beside its parent folders, then among what is built in.
 pub struct Library<'a> {
     sources: &'a Sources,
     folders: Vec<PathBuf>,
-    known: Mutex<BTreeMap<(Family, String), Result<Arc<Function>, Vec<Diagnostic>>>>,
+    known: Mutex<BTreeMap<(Family, String), Read>>,
     warnings: Mutex<Vec<Diagnostic>>,
 }
 

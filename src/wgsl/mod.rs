@@ -127,7 +127,11 @@ impl<'a> Writer<'a> {
 
     fn header(&self) -> Lines {
         let mut lines = Lines::default();
-        lines.push(code::one_line(&format!("// Generated from {}", self.scene.name)));
+        // A path outside the folder that raytoy runs in differs from machine to machine.
+        let name = self.scene.name.as_str();
+        let is_absolute = name.starts_with('/') || name.contains(':');
+        let name = if is_absolute { name.rsplit('/').next().unwrap_or(name) } else { name };
+        lines.push(code::one_line(&format!("// Generated from {name}")));
         lines.push(
             "// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.",
         );

@@ -38,11 +38,7 @@ impl Writer<'_> {
     }
 
     fn call(&mut self, call: &Call, at: &str, body: &mut Body, indent: usize) -> Code {
-        let moved = call.at.as_ref().map(|mapping| {
-            let code = self.call(mapping, at, body, indent);
-            body.bind("let", "at", &code, indent)
-        });
-        let at = moved.as_deref().unwrap_or(at);
+        let at = &self.moved(call.at.as_deref(), at, body, indent);
         self.uses(&call.function);
         let mut arguments = vec![Code::atom(at)];
         for argument in &call.arguments {
@@ -51,8 +47,16 @@ impl Writer<'_> {
         Code::call(&call.function.wgsl_name, arguments)
     }
 
+    /// The point that `mapping` makes of the point `at`.
+    fn moved(&mut self, mapping: Option<&Call>, at: &str, body: &mut Body, indent: usize) -> String {
+        let Some(mapping) = mapping else { return at.to_owned() };
+        let code = self.call(mapping, at, body, indent);
+        body.bind("let", "at", &code, indent)
+    }
+
     /// One stop is mixed over the other: below its start a step is 0, above its end 1.
     fn ramp(&mut self, ramp: &Ramp, at: &str, body: &mut Body, indent: usize) -> Code {
+        let at = &self.moved(ramp.at.as_deref(), at, body, indent);
         let by = self.value(&ramp.by, at, body, indent);
         let by = body.bind("let", "by", &by, indent);
         let (first_at, first) = &ramp.stops[0];
@@ -108,17 +112,16 @@ fn reach(value: &Value, scene: &crate::ir::Scene, reached: &mut BTreeSet<usize>)
             }
         }
         Value::Grey(inner) | Value::Luminance(inner) => reach(inner, scene, reached),
-        Value::Call(call) => {
-            let mut mapping = call.at.as_deref();
-            while let Some(call) = mapping {
-                call.arguments.iter().for_each(|a| reach(a, scene, reached));
-                mapping = call.at.as_deref();
-            }
-            call.arguments.iter().for_each(|a| reach(a, scene, reached));
-        }
+        Value::Call(call) => reach_call(call, scene, reached),
         Value::Ramp(ramp) => {
+            ramp.at.iter().for_each(|mapping| reach_call(mapping, scene, reached));
             reach(&ramp.by, scene, reached);
             ramp.stops.iter().for_each(|(_, stop)| reach(stop, scene, reached));
         }
     }
+}
+
+fn reach_call(call: &Call, scene: &crate::ir::Scene, reached: &mut BTreeSet<usize>) {
+    call.at.iter().for_each(|mapping| reach_call(mapping, scene, reached));
+    call.arguments.iter().for_each(|argument| reach(argument, scene, reached));
 }

@@ -250,6 +250,7 @@ impl<'a> Resolver<'a> {
 
     fn ramp(&mut self, value: &scene::Value) -> Option<Ramp> {
         let mut fields = Fields::of(self, value, "`Ramp`");
+        let at = fields.get("at").map(|mapping| self.mapping(mapping));
         let by = fields.require(self, "by").map(|by| self.pattern(by, (-1e6, 1e6)));
         let stops = fields.require(self, "stops");
         fields.finish(self);
@@ -276,6 +277,10 @@ impl<'a> Resolver<'a> {
             self.error(&stops.span, "a ramp needs two stops or more");
             return None;
         }
-        Some(Ramp { by: by?, stops: resolved })
+        let at = match at {
+            Some(mapping) => Some(Box::new(mapping?)),
+            None => None,
+        };
+        Some(Ramp { at, by: by?, stops: resolved })
     }
 }

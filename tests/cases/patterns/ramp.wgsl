@@ -3,7 +3,7 @@
 //
 //   objects   Sphere 0
 //   shapes    Sphere
-//   textures  Fbm, Noise
+//   textures  Swirl, Fbm, Noise
 
 const OBJECT_SPHERE_0: u32 = 0u;
 const LIGHTS: u32 = 0u;
@@ -46,14 +46,16 @@ fn materialAt(object: u32, at: Surface) -> Material {
 }
 
 fn sphere0Material(at: Surface) -> Material {
-    let by1 = fbm(at, 2.0, 5u, 2.0, 0.5);
-    var ramp2 = vec3f(0.005181517, 0.014443845, 0.029556835);
-    let by3 = noise(at, 9.0);
-    var ramp4 = vec3f(1.0, 0.12477182, 0.06301002);
-    ramp4 = mix(ramp4, vec3f(1.0, 0.6795425, 0.0), rampStep(0.3, 0.3, by3));
-    ramp2 = mix(ramp2, ramp4, rampStep(0.0, 0.4, by1));
-    ramp2 = mix(ramp2, vec3f(1.0), rampStep(0.4, 1.0, by1));
-    return matte(ramp2);
+    let at1 = swirl(at, 1.0, 2.0);
+    let by2 = fbm(at1, 2.0, 5u, 2.0, 0.5);
+    var ramp3 = vec3f(0.005181517, 0.014443845, 0.029556835);
+    let at4 = swirl(at1, 1.0, 2.0);
+    let by5 = noise(at4, 9.0);
+    var ramp6 = vec3f(1.0, 0.12477182, 0.06301002);
+    ramp6 = mix(ramp6, vec3f(1.0, 0.6795425, 0.0), rampStep(0.3, 0.3, by5));
+    ramp3 = mix(ramp3, ramp6, rampStep(0.0, 0.4, by2));
+    ramp3 = mix(ramp3, vec3f(1.0), rampStep(0.4, 1.0, by2));
+    return matte(ramp3);
 }
 
 /// The world normal of `object` at `met`.
