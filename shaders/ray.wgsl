@@ -35,9 +35,10 @@ struct Hit {
 /// No object: the ray leaves the scene.
 const NO_OBJECT: u32 = 0xffffffffu;
 
-/// The nearer of `hit` and a crossing of `object` at `t`.
+/// The nearer of `hit` and a crossing of `object` at `t`. Where two surfaces coincide, the first object of
+/// the scene has it: rounding must not speckle them.
 fn nearer(hit: Hit, t: f32, object: u32) -> Hit {
-    if t < hit.t {
+    if t < hit.t * 0.999996 {
         return Hit(t, object);
     }
     return hit;
@@ -55,12 +56,13 @@ fn onRay(ray: Ray, t: f32) -> f32 {
 
 /// The first of two ordered crossings that lies on the ray: `near` from outside, `far` from inside.
 fn firstOnRay(ray: Ray, near: f32, far: f32) -> f32 {
-    return min(onRay(ray, near), onRay(ray, far));
+    return onRay(ray, select(far, near, near > ray.t_min));
 }
 
 /// The t of the ray's point nearest to `center`. Solve for t from there: a root near zero keeps its digits.
 fn nearestApproach(ray: Ray, center: vec3f) -> f32 {
-    return dot(center - ray.origin, ray.direction) / dot(ray.direction, ray.direction);
+    // The reciprocal is one for all shapes that a ray is asked about.
+    return dot(center - ray.origin, ray.direction) * (1.0 / dot(ray.direction, ray.direction));
 }
 
 /// A right-handed frame whose columns are two tangents and `axis`, which has length 1
@@ -74,4 +76,16 @@ fn frameAround(axis: vec3f) -> mat3x3f {
         vec3f(b, s + axis.y * axis.y * a, -axis.y),
         axis,
     );
+}
+
+/// The directions of u and v on a flat surface. Along y: x and z. Along x: z and y. Along z: x and y.
+/// Tilted: these, laid into the surface.
+fn flatTangents(n: vec3f) -> mat2x3f {
+    let a = abs(n);
+    let level = a.y >= max(a.x, a.z);
+    let first = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), !level && a.x > a.z);
+    let second = select(vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0), level);
+    let u = normalize(first - dot(first, n) * n);
+    let v = cross(n, u);
+    return mat2x3f(u, select(v, -v, dot(v, second) < 0.0));
 }

@@ -13,7 +13,7 @@ use notify::{RecommendedWatcher, RecursiveMode, Watcher as _};
 use crate::sources::{Answer, Sources};
 
 /// Files are read once they have been left alone for this long.
-const QUIET: Duration = Duration::from_millis(20);
+const QUIET: Duration = Duration::from_millis(15);
 /// Whoever never leaves them alone is shown what there is after this long.
 const IMPATIENCE: Duration = Duration::from_millis(250);
 /// Network folders, and systems out of watches, give no events: a look now and then finds the change.

@@ -7,8 +7,9 @@ fn box(ray: Ray, min_: vec3f, max_: vec3f) -> f32 {
     let middle = nearestApproach(ray, center);
     let nearest = ray.origin - center + middle * ray.direction;
     let d = select(ray.direction, vec3f(1e-20), abs(ray.direction) < vec3f(1e-20));
-    let halfway = -nearest / d;
-    let reach = abs(0.5 * (max_ - min_) / d);
+    let inverse = 1.0 / d;
+    let halfway = -nearest * inverse;
+    let reach = abs(0.5 * (max_ - min_) * inverse);
     let enter = halfway - reach;
     let leave = halfway + reach;
     let near = max(enter.x, max(enter.y, enter.z));

@@ -23,16 +23,5 @@ fn diskSurface(
 ) -> Surface {
     let n = normalize(normal);
     let q = p - center - dot(n, p - center) * n;
-    return surface(center + q, n, q * diskTangents(n));
-}
-
-/// As on a plane, so that a disc laid on one continues its pattern.
-fn diskTangents(n: vec3f) -> mat2x3f {
-    let a = abs(n);
-    let level = a.y >= max(a.x, a.z);
-    let first = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), !level && a.x > a.z);
-    let second = select(vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0), level);
-    let u = normalize(first - dot(first, n) * n);
-    let v = cross(n, u);
-    return mat2x3f(u, select(v, -v, dot(v, second) < 0.0));
+    return surface(center + q, n, q * flatTangents(n));
 }

@@ -16,16 +16,5 @@ fn planeSurface(p: vec3f, normal: vec3f, offset: f32) -> Surface {
     // A pattern in space would flicker where the plane runs along one of its borders, as y = 0
     // often does, if rounding left the point on either side.
     let snapped = p - (dot(n, p) - offset / size) * n;
-    return surface(snapped, n, snapped * planeTangents(n));
-}
-
-/// Along y: x and z. Along x: z and y. Along z: x and y. Tilted: these, laid into the plane.
-fn planeTangents(n: vec3f) -> mat2x3f {
-    let a = abs(n);
-    let level = a.y >= max(a.x, a.z);
-    let first = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), !level && a.x > a.z);
-    let second = select(vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0), level);
-    let u = normalize(first - dot(first, n) * n);
-    let v = cross(n, u);
-    return mat2x3f(u, select(v, -v, dot(v, second) < 0.0));
+    return surface(snapped, n, snapped * flatTangents(n));
 }
