@@ -103,7 +103,7 @@ impl Screen {
             let view = target.texture.create_view(&Default::default());
             let load = match &self.picture {
                 Some(picture) => {
-                    let zoom = width.div_ceil(picture.width()).max(1) as f32;
+                    let zoom = width as f32 / picture.width() as f32;
                     self.display.draw(picture, None, &view, Target { corner: [0.0; 2], zoom });
                     wgpu::LoadOp::Load
                 }
@@ -135,8 +135,7 @@ impl Screen {
     fn next_target(&self) -> Option<wgpu::SurfaceTexture> {
         use wgpu::CurrentSurfaceTexture::{Lost, Outdated, Suboptimal, Success};
         match self.surface.get_current_texture() {
-            Success(target) => Some(target),
-            Suboptimal(target) => Some(target),
+            Success(target) | Suboptimal(target) => Some(target),
             Outdated | Lost => {
                 self.surface.configure(&self.gpu.device, &self.config);
                 match self.surface.get_current_texture() {

@@ -190,7 +190,7 @@ pub enum ToneMap {
     Agx,
 }
 
-/// The most bounces that a scene may ask for: waiting branches lie in private memory, 44 bytes each.
+/// The most bounces that a scene may ask for: waiting branches lie in private memory, 48 bytes each.
 pub const MAX_BOUNCES: u32 = 20;
 
 impl Scene {
