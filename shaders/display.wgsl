@@ -12,8 +12,6 @@ struct Display {
     corner: vec2f,
     /// Target pixels to a pixel of the picture.
     zoom: f32,
-    /// 1 for the light itself, 0 for a debug view, which is shown as it is.
-    is_light: u32,
 }
 
 @group(0) @binding(0) var<uniform> display: Display;
@@ -24,15 +22,22 @@ fn coverTarget(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4f {
     return vec4f(f32(corner & 1u) * 4.0 - 1.0, f32(corner >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
+/// Light, as a screen shows it.
 @fragment
-fn showPixel(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
+fn showLight(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
+    return vec4f(encoded(toneMapped(max(pictureAt(pixel) * display.gain, vec3f(0.0)))), 1.0);
+}
+
+/// Values that are shown as they are.
+@fragment
+fn showValue(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
+    return vec4f(pictureAt(pixel), 1.0);
+}
+
+fn pictureAt(pixel: vec4f) -> vec3f {
     let last = textureDimensions(picture) - vec2u(1u);
     let at = min(vec2u(max((pixel.xy - display.corner) / display.zoom, vec2f(0.0))), last);
-    let color = textureLoad(picture, at, 0).rgb;
-    if display.is_light == 0u {
-        return vec4f(color, 1.0);
-    }
-    return vec4f(encoded(toneMapped(max(color * display.gain, vec3f(0.0)))), 1.0);
+    return textureLoad(picture, at, 0).rgb;
 }
 
 fn toneMapped(light: vec3f) -> vec3f {

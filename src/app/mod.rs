@@ -8,6 +8,7 @@
 
 mod builder;
 mod camera;
+mod drawable;
 mod events;
 mod messages;
 mod painter;

@@ -1,23 +1,25 @@
-//! The thread that draws: a coarse picture at once, then samples until it is fine, in slices, so that any
-//! wish of the window is heard within a tenth of a second.
+//! The thread that draws: a coarse picture at once, then samples until it is fine, in slices, so that wishes
+//! are heard within a tenth of a second.
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
 use super::builder::{Built, Version};
+use super::drawable::Drawable;
 use super::events::Change;
 use super::messages::{FORMAT, Look, Notice, Picture, Texels, Wish};
-use crate::gpu::{Display, Gpu, GpuError, Moment, Pipeline, Target, Tracer, View, sample_offset};
+use crate::gpu::{Display, Gpu, GpuError, Moment, Target, Tracer, View, sample_offset};
 
 /// No slice of a picture takes much longer.
 const SLICE: Duration = Duration::from_millis(60);
 /// A picture that takes longer than this to draw starts coarse.
 const PROMPT: Duration = Duration::from_millis(50);
+/// The same for one whose pipeline the author has waited for already.
+const PROMPT_EDIT: Duration = Duration::from_millis(10);
 /// A still picture is done with this many samples.
 const SAMPLES: u32 = 64;
 
-/// On a device of its own the painter lets the window show a picture before it takes the processor again, but
-/// does not wait longer than this.
+/// On a device of its own the painter lets the window show a picture first, but waits no longer than this.
 const COURTESY: Duration = Duration::from_millis(100);
 
 /// Starts the thread. `shares_device`: whether textures of `gpu` can be shown by the window.
@@ -48,33 +50,12 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
     sender
 }
 
-/// A scene on the GPU.
-struct Scene {
-    version: Box<Version>,
-    baked: Option<Pipeline>,
-    live: Option<Pipeline>,
-    /// Whether the live pipeline has drawn, in which some drivers compile.
-    is_warm: bool,
-    edit: u64,
-    /// Whether a snippet reads the clock, or the mouse.
-    moves: bool,
-    reads_mouse: bool,
-}
-
-impl Scene {
-    /// The baked pipeline until a number is edited, then the live one.
-    fn pipeline(&self) -> &Pipeline {
-        let pipeline = self.baked.as_ref().or(self.live.as_ref());
-        pipeline.expect("a scene comes with a baked pipeline, and loses it only to a live one")
-    }
-}
-
 struct Painter {
     gpu: Gpu,
     shares_device: bool,
     display: Display,
     notify: Box<dyn Fn(Notice)>,
-    scene: Option<Scene>,
+    scene: Option<Drawable>,
     look: Look,
     tracer: Option<Tracer>,
     /// Screen pixels to one of the picture being drawn.
@@ -153,7 +134,7 @@ impl Painter {
                     look != Look { mouse: look.mouse, ..self.look } || (reads_mouse && look != self.look);
                 self.look = look;
                 if is_other {
-                    self.restart();
+                    self.restart(PROMPT);
                 }
             }
             Wish::Built(Built::Broken(report)) => (self.notify)(Notice::Broken(report)),
@@ -175,14 +156,15 @@ impl Painter {
         let before = self.scene.take();
         let edit = before.as_ref().map_or(0, |scene| scene.edit + 1);
         let baked = version.baked.take();
+        let prompt = if baked.is_some() { PROMPT_EDIT } else { PROMPT };
         self.is_probe |= baked.is_some();
         let snippets = version.compiled.source.sections.iter().filter(|s| !s.name.starts_with("shaders/"));
         let reads = |what: &str| snippets.clone().any(|s| s.text.contains(what));
         let (moves, reads_mouse) = (reads("frame.time"), reads("frame.mouse"));
-        let fresh = Scene { version, baked, live: None, is_warm: false, edit, moves, reads_mouse };
+        let fresh = Drawable { version, baked, live: None, is_warm: false, edit, moves, reads_mouse };
         let scene = match before {
             Some(before) if fresh.version.change == Change::Numbers => {
-                Scene { live: before.live, is_warm: true, ..fresh }
+                Drawable { live: before.live, is_warm: true, ..fresh }
             }
             _ => fresh,
         };
@@ -190,13 +172,13 @@ impl Painter {
             live.upload(&self.gpu, &scene.version.compiled.source.numbers);
         }
         self.scene = Some(scene);
-        self.restart();
+        self.restart(prompt);
     }
 
     /// Begins a new picture, coarse where a fine one would keep the window waiting.
-    fn restart(&mut self) {
+    fn restart(&mut self, prompt: Duration) {
         let pixels = f64::from(self.look.size[0]) * f64::from(self.look.size[1]);
-        let predicted = self.nanos_per_pixel * pixels / PROMPT.as_nanos() as f64;
+        let predicted = self.nanos_per_pixel * pixels / prompt.as_nanos() as f64;
         self.begin((predicted.sqrt().ceil() as u32).clamp(1, 8));
     }
 

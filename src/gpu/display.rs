@@ -10,7 +10,8 @@ use crate::library::built_in;
 #[derive(Debug)]
 pub struct Display {
     gpu: Gpu,
-    pipeline: wgpu::RenderPipeline,
+    /// For light, and for values that are shown as they are.
+    pipelines: [wgpu::RenderPipeline; 2],
     layout: wgpu::BindGroupLayout,
     options: wgpu::Buffer,
 }
@@ -34,7 +35,7 @@ struct Options {
     gamma: f32,
     corner: [f32; 2],
     zoom: f32,
-    is_light: u32,
+    padding: u32,
 }
 
 impl Display {
@@ -58,15 +59,16 @@ impl Display {
             label: Some("display"),
             entries: &[uniform, texture_entry(1)],
         });
-        let pipeline =
-            full_screen_pipeline(&gpu.device, &module, &layout, ["coverTarget", "showPixel"], format);
+        let pipelines = ["showLight", "showValue"].map(|fragment| {
+            full_screen_pipeline(&gpu.device, &module, &layout, ["coverTarget", fragment], format)
+        });
         let options = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("display"),
             size: size_of::<Options>() as u64,
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        Self { gpu: gpu.clone(), pipeline, layout, options }
+        Self { gpu: gpu.clone(), pipelines, layout, options }
     }
 
     /// Draws `picture` on `target`: light as `render` says it is to be shown, other values as they are.
@@ -90,7 +92,7 @@ impl Display {
             gamma,
             corner: place.corner,
             zoom: place.zoom,
-            is_light: u32::from(render.is_some()),
+            padding: 0,
         };
         let Gpu { device, queue, .. } = &self.gpu;
         queue.write_buffer(&self.options, 0, bytemuck::bytes_of(&options));
@@ -106,7 +108,7 @@ impl Display {
         let mut encoder = device.create_command_encoder(&Default::default());
         {
             let mut pass = begin_pass(&mut encoder, target, wgpu::LoadOp::Clear(wgpu::Color::BLACK));
-            pass.set_pipeline(&self.pipeline);
+            pass.set_pipeline(&self.pipelines[usize::from(render.is_none())]);
             pass.set_bind_group(0, &bindings, &[]);
             pass.draw(0..3, 0..1);
         }

@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use xserver::Desk;
 
-const ROUNDS: usize = 6;
+const ROUNDS: usize = 20;
 
 fn main() {
     // The driver of the window inherits it. Nothing else runs in this program yet.
