@@ -1,7 +1,11 @@
-// The tree of rays that a pixel sends, walked in a loop: mirrors first, glass waits on a small stack.
+// The tree of rays that a pixel sends, walked in a loop.
 
 /// The most rays that a pixel may send. Weights alone bound the tree; this bounds it for the driver too.
 const MAX_RAYS: u32 = 1024u;
+
+/// The lighter of two branches goes on, with half the weight at most, and the heavier waits: since
+/// weights end at MIN_WEIGHT, no more than log2(512) ever do.
+const MAX_WAITING: u32 = 9u;
 
 /// A ray still to be followed.
 struct Branch {
@@ -13,18 +17,6 @@ struct Branch {
     /// Width of the pixel where the ray starts.
     width: f32,
     depth: u32,
-}
-
-/// What a pixel sees: its light, and what its first ray met.
-struct Seen {
-    radiance: vec3f,
-    /// Along the first ray, scene units; negative where it leaves the scene.
-    depth: f32,
-    /// What a debug view shows of the first surface.
-    value: vec3f,
-    object: u32,
-    /// Depth of the deepest ray.
-    bounces: u32,
 }
 
 /// Follows a ray of length 1 from `origin` and all that it splits into.
@@ -66,25 +58,28 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             seen.radiance += stays * (1.0 - material.transmission) * shaded.light;
             let deeper = depth < frame.max_bounces + zero;
             let reflection = branch.weight * mirror;
-            let next = Branch(outside, reflection, reflect(branch.direction, n), width, depth + 1u);
-            follows = deeper && reflection >= MIN_WEIGHT;
             let refraction = stays * material.transmission;
-            if TRANSMITS && deeper && refraction >= MIN_WEIGHT {
-                let ratio = select(1.0 / material.ior, material.ior, inside);
-                let through = refracted(branch.direction, n, ratio);
+            let reflects = deeper && reflection >= MIN_WEIGHT;
+            let refracts = TRANSMITS && deeper && refraction >= MIN_WEIGHT;
+            let into = branch.direction;
+            if reflects {
+                branch = Branch(outside, reflection, reflect(into, n), width, depth + 1u);
+            }
+            if refracts {
+                let through = refracted(into, n, select(1.0 / material.ior, material.ior, inside));
                 let start = spawnPoint(p, select(-facing, facing, dot(through, facing) > 0.0), hit.t);
                 let beyond = Branch(start, refraction, through, width, depth + 1u);
-                if follows {
-                    waiting[waits] = beyond;
-                    waits++;
-                } else {
+                var heavier = beyond;
+                if !reflects || reflection > refraction {
+                    heavier = branch;
                     branch = beyond;
                 }
+                if reflects {
+                    waiting[waits] = heavier;
+                    waits++;
+                }
             }
-            if follows {
-                branch = next;
-            }
-            follows = follows || (TRANSMITS && deeper && refraction >= MIN_WEIGHT);
+            follows = reflects || refracts;
         }
         if !follows {
             if !TRANSMITS || waits == 0u {

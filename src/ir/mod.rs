@@ -190,8 +190,8 @@ pub enum ToneMap {
     Agx,
 }
 
-/// The most bounces that a scene may ask for: waiting branches lie in private memory, 48 bytes each.
-pub const MAX_BOUNCES: u32 = 20;
+/// The most bounces that a scene may ask for.
+pub const MAX_BOUNCES: u32 = 100;
 
 impl Scene {
     /// Whether any material lets light through.

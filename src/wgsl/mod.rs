@@ -159,9 +159,8 @@ impl<'a> Writer<'a> {
         }
         lines.push(format!("const LIGHTS: u32 = {}u;", self.scene.lights.len()));
         let transmits = self.scene.transmits();
-        lines.push("/// Whether any ray goes through a surface, and how many then wait for their turn.");
+        lines.push("/// Whether any ray goes through a surface.");
         lines.push(format!("const TRANSMITS: bool = {transmits};"));
-        lines.push(format!("const MAX_WAITING: u32 = {}u;", if transmits { ir::MAX_BOUNCES } else { 1 }));
         lines
     }
 }

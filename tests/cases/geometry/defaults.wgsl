@@ -6,9 +6,8 @@
 
 const OBJECT_SPHERE_0: u32 = 0u;
 const LIGHTS: u32 = 0u;
-/// Whether any ray goes through a surface, and how many then wait for their turn.
+/// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-const MAX_WAITING: u32 = 1u;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {

@@ -10,9 +10,8 @@ const OBJECT_PLANE_1: u32 = 1u;
 const OBJECT_SPHERE_2: u32 = 2u;
 const OBJECT_BOX_3: u32 = 3u;
 const LIGHTS: u32 = 1u;
-/// Whether any ray goes through a surface, and how many then wait for their turn.
+/// Whether any ray goes through a surface.
 const TRANSMITS: bool = true;
-const MAX_WAITING: u32 = 20u;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {

@@ -16,9 +16,8 @@ const OBJECT_FN: u32 = 6u;
 const OBJECT_TWO_LINES_QUOTED_AND_A_C: u32 = 7u;
 const OBJECT_LINE_SEPARATOR: u32 = 8u;
 const LIGHTS: u32 = 0u;
-/// Whether any ray goes through a surface, and how many then wait for their turn.
+/// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-const MAX_WAITING: u32 = 1u;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {

@@ -50,9 +50,8 @@ const OBJECT_SPHERE_37: u32 = 37u;
 const OBJECT_SPHERE_38: u32 = 38u;
 const OBJECT_SPHERE_39: u32 = 39u;
 const LIGHTS: u32 = 0u;
-/// Whether any ray goes through a surface, and how many then wait for their turn.
+/// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-const MAX_WAITING: u32 = 1u;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {

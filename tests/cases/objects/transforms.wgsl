@@ -9,9 +9,8 @@ const OBJECT_TURNED: u32 = 1u;
 const OBJECT_MIRRORED: u32 = 2u;
 const OBJECT_STRETCHED: u32 = 3u;
 const LIGHTS: u32 = 1u;
-/// Whether any ray goes through a surface, and how many then wait for their turn.
+/// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-const MAX_WAITING: u32 = 1u;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {

@@ -12,9 +12,8 @@ const OBJECT_BACK: u32 = 3u;
 const OBJECT_LEFT: u32 = 4u;
 const OBJECT_RIGHT: u32 = 5u;
 const LIGHTS: u32 = 1u;
-/// Whether any ray goes through a surface, and how many then wait for their turn.
+/// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-const MAX_WAITING: u32 = 1u;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {

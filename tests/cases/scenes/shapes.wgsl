@@ -19,9 +19,8 @@ const OBJECT_DISK_9: u32 = 9u;
 const OBJECT_TURNED: u32 = 10u;
 const OBJECT_UPRIGHT: u32 = 11u;
 const LIGHTS: u32 = 2u;
-/// Whether any ray goes through a surface, and how many then wait for their turn.
+/// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-const MAX_WAITING: u32 = 1u;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {

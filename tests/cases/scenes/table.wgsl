@@ -16,9 +16,8 @@ const OBJECT_LEG_2: u32 = 7u;
 const OBJECT_LEG_3: u32 = 8u;
 const OBJECT_LEG_4: u32 = 9u;
 const LIGHTS: u32 = 1u;
-/// Whether any ray goes through a surface, and how many then wait for their turn.
+/// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-const MAX_WAITING: u32 = 1u;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
