@@ -10,7 +10,7 @@ help:
 	@echo 'make test    run the tests'
 	@echo 'make setup   install what raytoy needs besides Rust (Linux)'
 
-# The dev profile optimises the dependencies, so one build serves this and the tests.
+# The dev profile is enough: it optimises the dependencies, and the GPU does the work.
 play: setup
 	@cargo build
 	@case "$$(uname -s)" in \
