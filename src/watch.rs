@@ -57,10 +57,9 @@ fn run(receiver: &Receiver<Message>, events: Sender<Message>, changed: &dyn Fn()
                 asked = Some(new);
             }
             Ok(Message::Stirred) => {
-                if let Some(new) = wait_for_quiet(receiver) {
-                    folders.follow(&new);
-                    asked = Some(new);
-                }
+                asked = wait_for_quiet(receiver).or(asked);
+                // A folder that was missing may be there now, and will get its files later.
+                asked.iter().for_each(|asked| folders.follow(asked));
             }
             Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) => return,

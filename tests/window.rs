@@ -136,6 +136,7 @@ fn a_texture_that_was_missing_is_noticed_and_its_edits_too() {
     let flat =
         |x: &str| format!("/// One color.\nfn flat(at: Surface) -> vec3f {{\n    return vec3f({x});\n}}\n");
     fs::create_dir(home.path().join("textures")).expect("the folder is writable");
+    std::thread::sleep(Duration::from_millis(200));
     fs::write(home.path().join("textures/flat.wgsl"), flat("0.3")).expect("the folder is writable");
     desk.wait_for_color(AT.0, AT.1, [level(0.3); 3]);
     fs::write(home.path().join("textures/flat.wgsl"), flat("0.7")).expect("the folder is writable");
@@ -163,4 +164,24 @@ fn a_drag_turns_the_camera_and_a_still_picture_costs_nothing() {
     std::thread::sleep(Duration::from_secs(3));
     let more = desk.processor_time() - used;
     assert!(more <= Duration::from_millis(60), "an idle window used {more:?} in three seconds");
+}
+
+#[test]
+fn a_scene_that_reads_the_clock_moves_and_takes_numbers_too() {
+    let home = TempDir::new().expect("there is room for a folder");
+    fs::create_dir(home.path().join("textures")).expect("the folder is writable");
+    let pulse = "/// A light that grows.\n///\n/// rate = 1, 0 to 10: how fast\n\
+                 fn pulse(at: Surface, rate: f32) -> f32 {\n    return fract(rate * frame.time);\n}\n";
+    fs::write(home.path().join("textures/pulse.wgsl"), pulse).expect("the folder is writable");
+    fs::write(home.path().join("scene.ron"), plain("Pulse(rate: 0.5)")).expect("the folder is writable");
+    let Some(mut desk) = Desk::open(home.path(), "scene.ron", SIZE) else {
+        assert!(std::env::var_os("RAYTOY_REQUIRE_GPU").is_none(), "there is no Xvfb");
+        return eprintln!("skipped: no Xvfb");
+    };
+    desk.wait_for_event("ready");
+    let before = desk.color_at(AT.0, AT.1);
+    std::thread::sleep(Duration::from_millis(300));
+    assert_ne!(before, desk.color_at(AT.0, AT.1), "the picture moves");
+    save_by_rename(&home.path().join("scene.ron"), &plain("Pulse(rate: 0)"));
+    desk.wait_for_color(AT.0, AT.1, [0; 3]);
 }

@@ -1,7 +1,7 @@
 //! The thread that turns files into pipelines: compile, tell what kind of edit it was, ask the driver.
 //!
 //! A structural edit is shown with its numbers baked in, which a driver compiles sooner and draws faster. The
-//! live pipeline follows at once, so that it is there before the author changes a number.
+//! live pipeline follows once that is on the screen, so that it is there before the author changes a number.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

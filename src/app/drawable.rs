@@ -10,6 +10,8 @@ pub struct Drawable {
     pub live: Option<Pipeline>,
     /// Whether the live pipeline has drawn, in which some drivers compile.
     pub is_warm: bool,
+    /// Whether a picture of it went to the window.
+    pub is_shown: bool,
     pub edit: u64,
     /// Whether a snippet reads the clock, or the mouse.
     pub moves: bool,

@@ -108,9 +108,9 @@ impl Painter {
 
     /// Whether a live pipeline waits for its first draw, and the author already sees the scene.
     fn needs_warming(&self) -> bool {
-        let is_shown = self.rows_done == 0 && self.coarseness == 1;
-        let has_samples = self.tracer.as_ref().is_some_and(|t| t.samples() > 0);
-        is_shown && has_samples && self.scene.as_ref().is_some_and(|s| s.live.is_some() && !s.is_warm)
+        let Some(scene) = &self.scene else { return false };
+        let is_settled = self.rows_done == 0 && (self.coarseness == 1 || scene.moves);
+        is_settled && scene.is_shown && scene.live.is_some() && !scene.is_warm
     }
 
     /// Draws a row that the next sample will draw over.
@@ -161,7 +161,16 @@ impl Painter {
         let snippets = version.compiled.source.sections.iter().filter(|s| !s.name.starts_with("shaders/"));
         let reads = |what: &str| snippets.clone().any(|s| s.text.contains(what));
         let (moves, reads_mouse) = (reads("frame.time"), reads("frame.mouse"));
-        let fresh = Drawable { version, baked, live: None, is_warm: false, edit, moves, reads_mouse };
+        let fresh = Drawable {
+            version,
+            baked,
+            live: None,
+            is_warm: false,
+            is_shown: false,
+            edit,
+            moves,
+            reads_mouse,
+        };
         let scene = match before {
             Some(before) if fresh.version.change == Change::Numbers => {
                 Drawable { live: before.live, is_warm: true, ..fresh }
@@ -206,10 +215,12 @@ impl Painter {
         moment.camera = self.look.camera.unwrap_or(moment.camera);
         moment.view = self.look.view;
         moment.mouse = self.look.mouse.map(|x| x / self.coarseness as f32);
-        moment.time = if scene.moves { self.started.elapsed().as_secs_f32() } else { 0.0 };
         if self.rows_done == 0 {
             self.sample_started = Instant::now();
         }
+        // All slices of a picture show one moment.
+        let time = self.sample_started - self.started;
+        moment.time = if scene.moves { time.as_secs_f32() } else { 0.0 };
         let begun = Instant::now();
         let jitter = sample_offset(tracer.samples(), SAMPLES);
         tracer.draw(scene.pipeline(), &moment, &compiled.scene.render, jitter, self.rows_done..end);
@@ -249,7 +260,8 @@ impl Painter {
     }
 
     fn show(&mut self, samples: u32, frame_time: Duration) -> Result<(), GpuError> {
-        let scene = self.scene.as_ref().expect("it has been drawn");
+        let scene = self.scene.as_mut().expect("it has been drawn");
+        scene.is_shown = true;
         let tracer = self.tracer.as_ref().expect("it has drawn a sample");
         let canvas = self.display.canvas(tracer.picture(), FORMAT);
         let target = canvas.create_view(&Default::default());
