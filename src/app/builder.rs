@@ -28,6 +28,8 @@ pub enum Order {
 
 /// What came of it.
 pub enum Built {
+    /// Nothing yet: the files have changed, and a verdict follows.
+    Begun,
     Scene(Box<Version>),
     /// The live pipeline of the last [`Change::Structure`].
     Live(Pipeline),
@@ -91,6 +93,7 @@ impl Builder {
 
     fn build(&mut self, done: &impl Fn(Built)) {
         let noticed = Instant::now();
+        done(Built::Begun);
         let here = std::env::current_dir().unwrap_or_else(|_| Path::new(".").into());
         let sources = Sources::on_disk(&here);
         let outcome = compile(&sources, &self.scene, Mode::Live, self.before.as_deref());
@@ -145,7 +148,10 @@ impl Builder {
 
     fn change(&self, compiled: &Compiled) -> Change {
         match &self.before {
-            Some(before) if before.source.sections == compiled.source.sections => {
+            Some(before)
+                if before.source.sections == compiled.source.sections
+                    && before.scene.images == compiled.scene.images =>
+            {
                 let same = before.source.numbers == compiled.source.numbers;
                 let same_frame = before.scene.camera == compiled.scene.camera;
                 if same && same_frame && before.scene.render == compiled.scene.render {

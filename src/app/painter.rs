@@ -41,6 +41,7 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
             sample_started: Instant::now(),
             nanos_per_pixel: if shares_device { 10.0 } else { 150.0 },
             is_probe: true,
+            is_held: false,
             shown: Instant::now(),
             waits_until: None,
             started: Instant::now(),
@@ -66,6 +67,8 @@ struct Painter {
     nanos_per_pixel: f64,
     /// Whether the pipeline has not drawn yet: its first slice may hold the driver's compile time.
     is_probe: bool,
+    /// Whether another version is being built on the processor that would draw this one.
+    is_held: bool,
     shown: Instant,
     /// When to go on although the window has not shown the last picture.
     waits_until: Option<Instant>,
@@ -76,10 +79,8 @@ impl Painter {
     fn run(&mut self, receiver: &Receiver<Wish>) {
         loop {
             if self.is_done() {
-                match receiver.recv() {
-                    Ok(wish) => self.grant(wish),
-                    Err(_) => return,
-                }
+                let Ok(wish) = receiver.recv() else { return };
+                self.grant(wish);
             }
             receiver.try_iter().for_each(|wish| self.grant(wish));
             if let Some(until) = self.waits_until {
@@ -103,7 +104,7 @@ impl Painter {
         let Some(scene) = &self.scene else { return true };
         let complete = self.tracer.as_ref().is_some_and(|t| t.samples() >= SAMPLES) && self.coarseness == 1;
         let is_visible = !self.look.size.contains(&0);
-        !is_visible || (complete && !scene.moves && !self.needs_warming())
+        self.is_held || !is_visible || (complete && !scene.moves && !self.needs_warming())
     }
 
     /// Whether a live pipeline waits for its first draw, and the author already sees the scene.
@@ -126,6 +127,9 @@ impl Painter {
     }
 
     fn grant(&mut self, wish: Wish) {
+        if let Wish::Built(built) = &wish {
+            self.is_held = !self.shares_device && matches!(built, Built::Begun);
+        }
         match wish {
             Wish::Shown => self.waits_until = None,
             Wish::Look(look) => {
@@ -137,6 +141,7 @@ impl Painter {
                     self.restart(PROMPT);
                 }
             }
+            Wish::Built(Built::Begun) => {}
             Wish::Built(Built::Broken(report)) => (self.notify)(Notice::Broken(report)),
             Wish::Built(Built::Scene(version)) => self.take(version),
             Wish::Built(Built::Live(pipeline)) => {
