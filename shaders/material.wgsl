@@ -26,6 +26,34 @@ fn matte(color: vec3f) -> Material {
     return Material(color, 0.0, vec3f(0.0), 50.0, 0.0, NO_FRESNEL, 0.0, 1.5);
 }
 
+/// The sum of what may vary over a surface; the rest is that of `b`.
+fn summed(a: Material, b: Material) -> Material {
+    return Material(
+        a.color + b.color,
+        a.specular + b.specular,
+        a.emission + b.emission,
+        a.shininess + b.shininess,
+        a.reflectivity + b.reflectivity,
+        b.fresnel,
+        a.transmission + b.transmission,
+        b.ior,
+    );
+}
+
+/// A sum of materials as their mean, where `share` is one over their number.
+fn meanOf(sum: Material, share: f32) -> Material {
+    return Material(
+        share * sum.color,
+        share * sum.specular,
+        share * sum.emission,
+        share * sum.shininess,
+        share * sum.reflectivity,
+        sum.fresnel,
+        share * sum.transmission,
+        sum.ior,
+    );
+}
+
 /// The mirrored share of light that arrives at `cosine` from the normal.
 fn mirrored(material: Material, cosine: f32) -> f32 {
     let r = material.reflectivity;
@@ -49,9 +77,4 @@ fn refracted(direction: vec3f, normal: vec3f, ratio: f32) -> vec3f {
 /// Brightness of a linear color (Rec. 709).
 fn luminance(color: vec3f) -> f32 {
     return dot(color, vec3f(0.2126, 0.7152, 0.0722));
-}
-
-/// How far `x` has come from `low` to `high`, 0 to 1; a step where they are equal.
-fn rampStep(low: f32, high: f32, x: f32) -> f32 {
-    return select(step(high, x), clamp((x - low) / (high - low), 0.0, 1.0), high > low);
 }

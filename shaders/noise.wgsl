@@ -72,7 +72,9 @@ fn fractalNoise(p: vec3f, octaves: u32, lacunarity: f32, gain: f32, footprint: f
     var sum = vec2f(0.0);
     for (var i = 0u; i < clamp(octaves, 1u, 16u); i++) {
         q = OCTAVE_TURN * q + OCTAVE_SHIFT;
-        let detail = (1.0 - smoothstep(0.25, 1.0, width)) * (perlinNoise(q) - 0.5);
+        // About what a box as wide as the footprint leaves of this noise.
+        let seen = 1.0 / (1.0 + 0.7 * width * width * width);
+        let detail = seen * (perlinNoise(q) - 0.5);
         sum += amplitude * vec2f(detail, 1.0);
         amplitude *= gain;
         width *= lacunarity;

@@ -36,15 +36,15 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             let p = branch.origin + hit.t * branch.direction;
             let v = -branch.direction;
             let width = branch.width + frame.pixel_spread * hit.t;
-            var met = surfaceAt(hit.object, p);
+            let seen_there = looked(hit.object, p, branch.direction, width);
+            let met = seen_there.met;
+            let material = seen_there.material;
             let inside = dot(met.normal, v) < 0.0;
-            met.at.footprint = width * met.scale / max(abs(dot(met.normal, v)), 0.02);
             let facing = select(met.normal, -met.normal, inside);
             var n = normalAt(hit.object, met);
             n = select(n, -n, inside);
             // A bump may tilt the normal away from the viewer, who then sees the slope edge on.
             n = normalize(n + max(0.001 - dot(n, v), 0.0) * v);
-            let material = materialAt(hit.object, met.at);
             let outside = spawnPoint(p, facing, hit.t);
             let shaded = shade(p, outside, n, v, material);
             if depth == 0u {

@@ -35,6 +35,9 @@ pub struct Diagnostic {
     pub help: Vec<String>,
 }
 
+/// The longest list of names that a message shows.
+const MOST_KNOWN: usize = 24;
+
 impl Diagnostic {
     pub fn error(message: impl Into<String>) -> Self {
         Self { severity: Severity::Error, message: message.into(), labels: vec![], help: vec![] }
@@ -56,7 +59,8 @@ impl Diagnostic {
         self
     }
 
-    /// The same, with "did you mean" where one of `known` is close to `name`, else with all of them.
+    /// The same, with "did you mean" where one of `known` is close to `name`, else with all of them unless
+    /// they are too many to read.
     pub fn suggest<'a>(self, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         let known: Vec<&str> = known.into_iter().collect();
         let close = known
@@ -66,7 +70,7 @@ impl Diagnostic {
             .min_by_key(|(distance, _)| *distance);
         match close {
             Some((_, k)) => self.help(format!("did you mean `{k}`?")),
-            None if known.is_empty() => self,
+            None if known.is_empty() || known.len() > MOST_KNOWN => self,
             None => self.help(format!("known: {}", known.join(", "))),
         }
     }

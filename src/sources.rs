@@ -20,6 +20,8 @@ pub struct Sources {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Answer {
     Text(Arc<str>),
+    /// Bytes that are no UTF-8: a picture, or a mistake.
+    Binary(Arc<[u8]>),
     Missing,
     Unreadable(String),
 }
@@ -59,8 +61,21 @@ impl Sources {
         let name = self.name(path);
         match self.read(path) {
             Answer::Text(text) => Ok(text),
+            Answer::Binary(bytes) => {
+                let at = std::str::from_utf8(&bytes).map_or_else(|e| e.valid_up_to(), str::len);
+                let why = format!("it is not UTF-8 text (byte {at})");
+                Err(Diagnostic::error(format!("cannot read `{name}`: {why}")))
+            }
             Answer::Missing => Err(Diagnostic::error(format!("there is no file `{name}`"))),
             Answer::Unreadable(why) => Err(Diagnostic::error(format!("cannot read `{name}`: {why}"))),
+        }
+    }
+
+    /// The bytes at `path`, or why there are none.
+    pub fn bytes(&self, path: &Path) -> Result<Arc<[u8]>, Diagnostic> {
+        match self.read(path) {
+            Answer::Binary(bytes) => Ok(bytes),
+            _ => self.text(path).map(|text| text.as_bytes().into()),
         }
     }
 
@@ -149,10 +164,7 @@ fn read_file(path: &Path) -> Answer {
     match std::fs::read(path) {
         Ok(bytes) => match String::from_utf8(bytes) {
             Ok(text) => Answer::Text(text.into()),
-            Err(e) => {
-                let at = e.utf8_error().valid_up_to();
-                Answer::Unreadable(format!("it is not UTF-8 text (byte {at})"))
-            }
+            Err(e) => Answer::Binary(e.into_bytes().into()),
         },
         Err(e) if matches!(e.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
             Answer::Missing

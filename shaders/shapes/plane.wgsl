@@ -18,3 +18,7 @@ fn planeSurface(p: vec3f, normal: vec3f, offset: f32) -> Surface {
     let snapped = p - (dot(n, p) - offset / size) * n;
     return surface(snapped, n, snapped * flatTangents(n));
 }
+
+fn planeContains(p: vec3f, normal: vec3f, offset: f32) -> bool {
+    return dot(normal, p) < offset;
+}

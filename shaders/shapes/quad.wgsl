@@ -1,4 +1,5 @@
 /// A parallelogram, seen from both sides.
+/// encloses nothing, so that it cannot be a part of a solid
 ///
 /// corner: the corner where both sides start
 /// u: one side, from the corner

@@ -1,4 +1,5 @@
 /// A triangle, seen from both sides.
+/// encloses nothing, so that it cannot be a part of a solid
 ///
 /// a: a corner
 /// b: the next corner

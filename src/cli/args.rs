@@ -52,6 +52,12 @@ pub enum Command {
     Textures { name: Option<String> },
     /// List the shapes, or tell all about one
     Shapes { name: Option<String> },
+    /// Draw every texture and shape, your own too, and write a page about them
+    Gallery {
+        /// The folder for the pictures and the page, README.md
+        #[arg(short, long, value_name = "FOLDER")]
+        output: PathBuf,
+    },
     /// Print completions for a shell
     Completions { shell: clap_complete::Shell },
 }

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Failure, Result, print_report, sources_for};
+use super::{Failure, Result, print_report, sample, sources_for};
 use crate::diagnostic::Report;
-use crate::library::{Family, Library, Parameter, Type, name_of};
+use crate::library::{Family, Library, name_of};
 use crate::sources::Sources;
 use crate::wgsl::Mode;
 use crate::{Outcome, compile};
@@ -91,9 +91,7 @@ fn check_snippet(sources: Sources, file: &Path) -> Result<Outcome> {
             return Ok(Outcome { compiled: None, report });
         }
     };
-    let required = function.parameters.iter().enumerate().filter(|(_, p)| p.default.is_none());
-    let arguments: Vec<String> = required.map(|(i, p)| format!("{}: {}", p.name, stand_in(p, i))).collect();
-    let call = format!("{name}({})", arguments.join(", "));
+    let call = sample::call(&function);
     let object = match function.kind {
         crate::library::Kind::Shape => call,
         crate::library::Kind::Mapping => format!("Sphere(material: (color: Noise(at: {call})))"),
@@ -102,18 +100,4 @@ fn check_snippet(sources: Sources, file: &Path) -> Result<Outcome> {
     let scene = folder.join("-");
     let sources = sources.with(&scene, &format!("(objects: [{object}])"));
     Ok(compile(&sources, &scene, Mode::Baked, None))
-}
-
-/// A value in RON that `parameter` takes, another one for each index, so that no two points coincide.
-fn stand_in(parameter: &Parameter, index: usize) -> String {
-    let number = |x: usize| match parameter.range {
-        Some((low, high)) => (x as f32).clamp(low, high).to_string(),
-        None => x.to_string(),
-    };
-    let numbers = [index + 1, (index + 1) * (index + 1), 1, 1].map(number);
-    match parameter.ty {
-        Type::Bool => "true".into(),
-        ty if ty.size() == 1 => numbers[0].clone(),
-        ty => format!("({})", numbers[..ty.size()].join(", ")),
-    }
 }

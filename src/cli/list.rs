@@ -7,6 +7,18 @@ use crate::diagnostic::{Diagnostic, Report};
 use crate::library::{Family, Function, Kind, Library, Parameter, Type};
 use crate::sources::Sources;
 
+/// What no file defines, and how it is written.
+const TEXTURE_FORMS: [[&str; 2]; 3] = [
+    ["Ramp", r##"Ramp(by: Noise(), stops: [(0, "#000"), (1, "#fff")], interpolation: Smooth)"##],
+    ["Triplanar", "Triplanar(of: Brick(), sharpness: 4)"],
+    ["Image", r#"Image(file: "photo.png", width: 1, repeat: true)"#],
+];
+const SHAPE_FORMS: [[&str; 2]; 3] = [
+    ["Union", "Union(parts: [Box(), Sphere()])"],
+    ["Intersection", "Intersection(parts: [Box(), Sphere()])"],
+    ["Difference", "Difference(parts: [Box(), Sphere(radius: 1.2)])"],
+];
+
 pub fn run(family: Family, name: Option<&str>) -> Result {
     let here = std::env::current_dir()?;
     let sources = Sources::on_disk(&here);
@@ -51,9 +63,10 @@ fn overview(library: &Library<'_>, family: Family) -> Result<String> {
         let kind = if family == Family::Texture { format!("{kind:<9}") } else { String::new() };
         writeln!(text, "{name:<16} {kind}{caption}").expect("a String takes all text");
     }
-    if family == Family::Texture {
-        text += "Ramp             color    Colors at places of a pattern: ";
-        text += "Ramp(by: Noise(), stops: [(0, \"#000\"), (1, \"#fff\")])\n";
+    let forms: &[[&str; 2]] = if family == Family::Texture { &TEXTURE_FORMS } else { &SHAPE_FORMS };
+    text += "\nAnd what raytoy makes itself:\n";
+    for [name, use_] in forms {
+        writeln!(text, "{name:<16} {use_}").expect("a String takes all text");
     }
     Ok(text)
 }

@@ -4,9 +4,11 @@
 
 mod args;
 mod check;
+mod gallery;
 mod generate;
 mod list;
 mod render;
+mod sample;
 mod stats;
 mod view;
 
@@ -48,6 +50,7 @@ pub fn run() -> ExitCode {
         Command::Generate { scene, live, output } => generate::run(&scene, live, output.as_deref()),
         Command::Textures { name } => list::run(Family::Texture, name.as_deref()),
         Command::Shapes { name } => list::run(Family::Shape, name.as_deref()),
+        Command::Gallery { output } => gallery::run(&output),
         Command::Completions { shell } => {
             clap_complete::generate(shell, &mut Arguments::command(), "raytoy", &mut std::io::stdout());
             Ok(())

@@ -67,7 +67,7 @@ fn draw(options: &RenderOptions, gpu: &Gpu, compiled: &Compiled, output: &Path) 
         let objects = gpu::render(gpu, compiled, &seen, options.size, 1, &mut |_| ())?;
         exr(&picture, &objects)?
     } else {
-        png(&picture)?
+        encoded(&picture, ImageFormat::Png)?
     };
     write_output(output, &bytes)?;
     if output != Path::new("-") {
@@ -77,7 +77,7 @@ fn draw(options: &RenderOptions, gpu: &Gpu, compiled: &Compiled, output: &Path) 
 }
 
 /// Shows a bar on the terminal once the work takes longer than a person likes to wait.
-fn with_progress<T>(name: &str, work: impl FnOnce(&mut dyn FnMut(f32)) -> T) -> T {
+pub fn with_progress<T>(name: &str, work: impl FnOnce(&mut dyn FnMut(f32)) -> T) -> T {
     let style =
         ProgressStyle::with_template("{msg} [{bar:40}] {percent}%, {eta} left").expect("a valid template");
     let bar = ProgressBar::hidden().with_style(style.progress_chars("=> ")).with_message(name.to_owned());
@@ -93,11 +93,12 @@ fn with_progress<T>(name: &str, work: impl FnOnce(&mut dyn FnMut(f32)) -> T) -> 
     done
 }
 
-fn png(picture: &Picture) -> Result<Vec<u8>> {
+/// The picture as a screen shows it, in a file's format.
+pub fn encoded(picture: &Picture, format: ImageFormat) -> Result<Vec<u8>> {
     let [width, height] = picture.size;
     let image = RgbaImage::from_raw(width, height, picture.rgba.clone()).expect("four bytes a pixel");
     let mut bytes = Cursor::new(vec![]);
-    image::DynamicImage::from(image).to_rgb8().write_to(&mut bytes, ImageFormat::Png)?;
+    image::DynamicImage::from(image).to_rgb8().write_to(&mut bytes, format)?;
     Ok(bytes.into_inner())
 }
 

@@ -115,9 +115,28 @@ impl Gpu {
         texture: &wgpu::Texture,
         texel_bytes: u32,
     ) -> Result<Vec<u8>, GpuError> {
-        let (width, height) = (texture.width(), texture.height());
-        let row = width * texel_bytes;
-        let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let padded = (texture.width() * texel_bytes).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let most = self.device.limits().max_buffer_size / u64::from(padded);
+        let mut bytes = vec![];
+        let mut row = 0;
+        while row < texture.height() {
+            let end = texture.height().min(row.saturating_add(most as u32));
+            self.read_rows(texture, row..end, padded, texel_bytes, &mut bytes)?;
+            row = end;
+        }
+        Ok(bytes)
+    }
+
+    /// Appends some rows of a texture, which are `padded` bytes long where the GPU puts them.
+    fn read_rows(
+        &self,
+        texture: &wgpu::Texture,
+        rows: std::ops::Range<u32>,
+        padded: u32,
+        texel_bytes: u32,
+        bytes: &mut Vec<u8>,
+    ) -> Result<(), GpuError> {
+        let height = rows.end - rows.start;
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("read back"),
             size: u64::from(padded) * u64::from(height),
@@ -125,12 +144,14 @@ impl Gpu {
             mapped_at_creation: false,
         });
         let mut encoder = self.device.create_command_encoder(&Default::default());
+        let mut place = texture.as_image_copy();
+        place.origin.y = rows.start;
         let layout =
             wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(padded), rows_per_image: None };
         encoder.copy_texture_to_buffer(
-            texture.as_image_copy(),
+            place,
             wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },
-            texture.size(),
+            wgpu::Extent3d { width: texture.width(), height, depth_or_array_layers: 1 },
         );
         self.queue.submit([encoder.finish()]);
         let (sender, receiver) = std::sync::mpsc::channel();
@@ -141,9 +162,10 @@ impl Gpu {
         let lost = |why: String| GpuError::Lost(why);
         let mapped = receiver.try_recv().map_err(|e| lost(e.to_string()))?;
         mapped.map_err(|e| lost(e.to_string()))?;
-        let bytes = buffer.slice(..).get_mapped_range().map_err(|e| lost(e.to_string()))?;
-        let rows = bytes.chunks_exact(padded as usize);
-        Ok(rows.flat_map(|r| &r[..row as usize]).copied().collect())
+        let range = buffer.slice(..).get_mapped_range().map_err(|e| lost(e.to_string()))?;
+        let row = (texture.width() * texel_bytes) as usize;
+        range.chunks_exact(padded as usize).for_each(|padded| bytes.extend_from_slice(&padded[..row]));
+        Ok(())
     }
 }
 

@@ -60,7 +60,7 @@ impl Display {
             entries: &[uniform, texture_entry(1)],
         });
         let pipelines = ["showLight", "showValue"].map(|fragment| {
-            full_screen_pipeline(&gpu.device, &module, &layout, ["coverTarget", fragment], format)
+            full_screen_pipeline(&gpu.device, &module, &[Some(&layout)], ["coverTarget", fragment], format)
         });
         let options = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("display"),
@@ -155,13 +155,13 @@ pub(super) fn texture_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
 pub(super) fn full_screen_pipeline(
     device: &wgpu::Device,
     module: &wgpu::ShaderModule,
-    layout: &wgpu::BindGroupLayout,
+    layouts: &[Option<&wgpu::BindGroupLayout>],
     [vertex, fragment]: [&str; 2],
     format: wgpu::TextureFormat,
 ) -> wgpu::RenderPipeline {
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: None,
-        bind_group_layouts: &[Some(layout)],
+        bind_group_layouts: layouts,
         immediate_size: 0,
     });
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {

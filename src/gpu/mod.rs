@@ -5,6 +5,7 @@
 mod device;
 mod display;
 mod image;
+mod images;
 mod pipeline;
 mod tracer;
 mod uniforms;

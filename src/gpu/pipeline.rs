@@ -1,7 +1,9 @@
 //! A scene's shader as a pipeline, and the buffer of its numbers.
 
 use std::borrow::Cow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use super::images::Images;
 use super::{Gpu, GpuError};
 use crate::Compiled;
 use crate::wgsl::Mode;
@@ -15,6 +17,7 @@ pub struct Pipeline {
     pub(super) pipeline: wgpu::RenderPipeline,
     pub(super) layout: wgpu::BindGroupLayout,
     pub(super) numbers: Option<wgpu::Buffer>,
+    pub(super) images: Option<Images>,
 }
 
 impl Pipeline {
@@ -36,11 +39,17 @@ impl Pipeline {
         crate::on_deep_stack(|| {
             let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
             let internal = gpu.device.push_error_scope(wgpu::ErrorFilter::Internal);
-            let built = make(gpu, compiled);
+            // naga's writers panic at some text that naga's own check lets pass.
+            let made = catch_unwind(AssertUnwindSafe(|| make(gpu, compiled)));
             let errors = [pollster::block_on(internal.pop()), pollster::block_on(scope.pop())];
-            match errors.into_iter().flatten().next() {
-                None => Ok(built),
-                Some(error) => Err(GpuError::Refused(error.to_string())),
+            let refused = errors.into_iter().flatten().next().map(|error| error.to_string());
+            match (made, refused) {
+                (Ok(built), None) => Ok(built),
+                (_, Some(why)) => Err(GpuError::Refused(why)),
+                (Err(panic), None) => Err(GpuError::Refused(format!(
+                    "naga cannot write this shader for the driver: {}",
+                    panic.downcast_ref::<String>().map_or("", String::as_str)
+                ))),
             }
         })
     }
@@ -86,14 +95,16 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
         label: Some("scene"),
         entries: &entries,
     });
+    let images = Images::new(device, &gpu.queue, &compiled.scene.images);
+    let layouts = [Some(&layout)].into_iter().chain(images.iter().map(|images| Some(&images.layout)));
     let pipeline = super::display::full_screen_pipeline(
         device,
         &module,
-        &layout,
+        &layouts.collect::<Vec<_>>(),
         ["coverPicture", "tracePixel"],
         FORMAT,
     );
-    let built = Pipeline { pipeline, layout, numbers };
+    let built = Pipeline { pipeline, layout, numbers, images };
     built.upload(gpu, &compiled.source.numbers);
     built
 }

@@ -105,6 +105,9 @@ impl Tracer {
             let mut pass = super::display::begin_pass(&mut encoder, &target, wgpu::LoadOp::Load);
             pass.set_pipeline(&pipeline.pipeline);
             pass.set_bind_group(0, &bindings, &[]);
+            if let Some(images) = &pipeline.images {
+                pass.set_bind_group(1, &images.group, &[]);
+            }
             pass.set_scissor_rect(0, rows.start, self.size()[0], rows.end - rows.start);
             pass.draw(0..3, 0..1);
         }

@@ -10,7 +10,7 @@ use glam::Vec3;
 
 pub use resolve::resolve;
 
-use crate::library::{Const, Function, Type};
+use crate::library::{Const, Function, Image, Type};
 
 /// A whole scene, in the author's order.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,9 +22,12 @@ pub struct Scene {
     pub background: Value,
     pub ambient: Vec3,
     pub lights: Vec<Light>,
+    pub images: Vec<Image>,
     pub textures: Vec<Texture>,
     pub materials: Vec<Material>,
     pub objects: Vec<Object>,
+    /// What rays are tested against: each object is in one of them, alone or as a part.
+    pub bodies: Vec<Body>,
     pub render: Render,
 }
 
@@ -45,6 +48,8 @@ pub enum Value {
     /// One of [`Scene::textures`].
     Texture(usize),
     Ramp(Box<Ramp>),
+    Triplanar(Box<Triplanar>),
+    Picture(Box<Picture>),
     /// A number as a color.
     Grey(Box<Value>),
     /// A color as a number.
@@ -61,7 +66,7 @@ pub struct Call {
     pub arguments: Vec<Value>,
 }
 
-/// Colors at places of a pattern, linear between them.
+/// Colors at places of a pattern, and passages between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ramp {
     /// What moves the point first.
@@ -69,6 +74,40 @@ pub struct Ramp {
     pub by: Value,
     /// At least two, in ascending order.
     pub stops: Vec<(f32, Value)>,
+    pub interpolation: Interpolation,
+}
+
+/// How a ramp goes from stop to stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interpolation {
+    Linear,
+    /// Level at each stop.
+    Smooth,
+    /// Each stop as it is, up to the next.
+    Constant,
+}
+
+/// A flat texture laid on from three sides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triplanar {
+    /// What moves the point first.
+    pub at: Option<Box<Call>>,
+    pub of: Value,
+    /// How soon one side gives way to the next.
+    pub sharpness: f32,
+}
+
+/// An image that lies on the uv plane with its lower left corner at the origin.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// What moves the point first.
+    pub at: Option<Box<Call>>,
+    /// One of [`Scene::images`].
+    pub image: usize,
+    /// Scene units; the height follows.
+    pub width: f32,
+    /// Whether it begins again beyond its edges; else they go on.
+    pub repeat: bool,
 }
 
 /// A texture with a name.
@@ -107,6 +146,7 @@ pub struct Bump {
     pub strength: f32,
 }
 
+/// A shape with a surface of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
     pub name: String,
@@ -117,12 +157,53 @@ pub struct Object {
     pub arguments: Vec<Const>,
     /// One of [`Scene::materials`].
     pub material: usize,
-    /// The rows of the affine map from the world into the object's space.
-    pub space: Option<[[f32; 4]; 3]>,
-    /// Corners of a box in the object's space that holds all of it.
+    /// Where it stands, if it was moved.
+    pub space: Option<Space>,
+    /// Whether it is cut away from another solid, which shows its surface from behind.
+    pub inverted: bool,
+}
+
+/// The rows of the affine map from the world into an object's space.
+pub type Space = [[f32; 4]; 3];
+
+/// What a ray meets as one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    pub solid: Solid,
+    /// Where it stands, if it was moved.
+    pub space: Option<Space>,
+    /// Corners of a box in the body's space that holds all of it.
     pub bounds: Option<(Vec3, Vec3)>,
     pub visible: bool,
     pub casts_shadow: bool,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum Solid {
+    /// One of [`Scene::objects`].
+    Object(usize),
+    Combination(Combination),
+}
+
+/// A solid made of solids.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Combination {
+    pub name: String,
+    /// The author's words, on one line, without the parts.
+    pub caption: String,
+    pub operation: Operation,
+    /// At least one.
+    pub parts: Vec<Solid>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operation {
+    /// What is in any part.
+    Union,
+    /// What is in every part.
+    Intersection,
+    /// What is in the first part and in no other.
+    Difference,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -198,5 +279,11 @@ impl Scene {
     pub fn transmits(&self) -> bool {
         let properties = self.materials.iter().flat_map(|m| &m.properties);
         properties.into_iter().any(|(property, _)| *property == Property::Transmission)
+    }
+
+    /// Whether any material varies over a surface.
+    pub fn is_textured(&self) -> bool {
+        let properties = self.materials.iter().flat_map(|m| &m.properties);
+        properties.into_iter().any(|(_, value)| !matches!(value, Value::Const(_)))
     }
 }

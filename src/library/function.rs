@@ -16,9 +16,24 @@ pub struct Function {
     pub caption: String,
     /// In the order of the signature, without the first, which is the ray or the point asked about.
     pub parameters: Vec<Parameter>,
+    /// Of a shape: what it is besides a surface.
+    pub traits: Traits,
     /// The file's name and text.
     pub file: String,
     pub text: Arc<str>,
+}
+
+/// What is special about a shape.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Traits {
+    /// It encloses nothing, so that it cannot be a part of another: a doc line says so.
+    pub is_open: bool,
+    /// It has a `nameContains`, since it goes on without end.
+    pub is_endless: bool,
+    /// It has a `nameDistance`, and nothing that finds crossings.
+    pub is_distance: bool,
+    /// It has a `nameSurface`.
+    pub has_surface: bool,
 }
 
 /// What a function gives.
@@ -48,6 +63,8 @@ impl Kind {
 pub struct Parameter {
     /// As scenes call it.
     pub name: String,
+    /// The same, with an underscore behind it where WGSL has another use for the name.
+    pub wgsl_name: String,
     pub ty: Type,
     /// None where the author must give it.
     pub default: Option<Const>,

@@ -3,7 +3,9 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::{Const, Family, Function, Kind, Parameter, Type, function, parse_color};
+use super::doc_line::doc_line;
+use super::function::Traits;
+use super::{Family, Function, Kind, Parameter, Type, function};
 use crate::diagnostic::{Diagnostic, Place};
 
 /// Reads the file called `file`, whose stem names its function.
@@ -21,27 +23,32 @@ pub fn read(family: Family, file: &str, text: &Arc<str>) -> Result<Function, Vec
     }
 }
 
-struct Header<'a> {
-    family: Family,
+pub struct Header<'a> {
+    pub family: Family,
     file: &'a str,
     text: &'a Arc<str>,
-    wgsl_name: String,
+    pub wgsl_name: String,
 }
 
 /// A `name: type` of the signature.
-struct Declared<'a> {
-    name: &'a str,
-    ty: &'a str,
-    span: Range<usize>,
+pub struct Declared<'a> {
+    pub name: &'a str,
+    pub ty: &'a str,
+    pub span: Range<usize>,
 }
 
+/// Where a function starts, its parameters, and what it returns.
+pub type Signature<'a> = (usize, Vec<Declared<'a>>, &'a str);
+
 impl Header<'_> {
-    fn place(&self, span: Range<usize>) -> Place {
+    pub fn place(&self, span: Range<usize>) -> Place {
         Place { file: self.file.into(), span }
     }
 
     fn function(&self, name: String, problems: &mut Vec<Diagnostic>) -> Option<Function> {
-        let Some((start, declared, returns)) = self.signature(&self.wgsl_name) else {
+        let of_ray = self.signature(&self.wgsl_name);
+        let main = of_ray.or_else(|| self.distance_signature());
+        let Some((start, declared, returns)) = main else {
             let noun = self.family.noun();
             let example = match self.family {
                 Family::Shape => "(ray: Ray, …) -> f32",
@@ -58,16 +65,18 @@ impl Header<'_> {
         let own = &declared[1..];
         let parameters = own.iter().filter_map(|d| self.parameter(d, &docs, problems)).collect();
         self.check_strangers(own, &docs, problems);
-        if kind == Kind::Shape {
-            self.check_surface(own, problems);
-        }
+        let traits = match kind {
+            Kind::Shape => self.shape_traits(own, &docs, problems),
+            _ => Traits::default(),
+        };
         let caption = docs.first().map_or("", |(line, _)| line).trim_end_matches('.').to_owned();
         let (file, text) = (self.file.to_owned(), self.text.clone());
-        Some(Function { name, wgsl_name: self.wgsl_name.clone(), kind, caption, parameters, file, text })
+        let wgsl_name = self.wgsl_name.clone();
+        Some(Function { name, wgsl_name, kind, caption, parameters, traits, file, text })
     }
 
-    /// Where `fn name` starts, its parameters, and what it returns.
-    fn signature(&self, name: &str) -> Option<(usize, Vec<Declared<'_>>, &str)> {
+    /// The signature of `fn name`, which starts a line.
+    pub fn signature(&self, name: &str) -> Option<Signature<'_>> {
         let text = self.text;
         let head = format!("fn {name}(");
         let starts_line = |at: usize| at == 0 || text[..at].ends_with('\n');
@@ -97,12 +106,12 @@ impl Header<'_> {
         problems: &mut Vec<Diagnostic>,
     ) -> Option<Kind> {
         let here = self.place(start..start + 3 + self.wgsl_name.len());
-        let first = match self.family {
-            Family::Shape => "Ray",
-            Family::Texture => "Surface",
+        let (first, argument) = match self.family {
+            Family::Shape if self.is_distance() => ("vec3f", "p: vec3f"),
+            Family::Shape => ("Ray", "ray: Ray"),
+            Family::Texture => ("Surface", "at: Surface"),
         };
         if declared.first().is_none_or(|d| d.ty != first) {
-            let argument = if first == "Ray" { "ray: Ray" } else { "at: Surface" };
             let message = format!("the first parameter of `{}` must be `{argument}`", self.wgsl_name);
             problems.push(Diagnostic::error(message).at(here, ""));
             return None;
@@ -114,7 +123,7 @@ impl Header<'_> {
             (Family::Texture, "Surface") => Kind::Mapping,
             _ => {
                 let allowed = match self.family {
-                    Family::Shape => "a shape returns `f32`, the t of the crossing",
+                    Family::Shape => "a shape returns `f32`, the t of the crossing or a distance",
                     Family::Texture => "a pattern returns `f32`, a color `vec3f`, a mapping `Surface`",
                 };
                 let message = format!("`{}` returns `{returns}`", self.wgsl_name);
@@ -165,7 +174,7 @@ impl Header<'_> {
             problems.push(Diagnostic::error(message).at(self.place(declared.span.clone()), "").help(advice));
             return None;
         };
-        match doc_line(name, ty, line) {
+        match doc_line(declared.name, ty, line) {
             Ok(parameter) => Some(parameter),
             Err(message) => {
                 let advice = format!("write `{name} = default, low to high: what it does`");
@@ -194,24 +203,9 @@ impl Header<'_> {
         }
     }
 
-    /// A shape's second function takes a point and the same parameters.
-    fn check_surface(&self, own: &[Declared<'_>], problems: &mut Vec<Diagnostic>) {
-        let name = format!("{}Surface", self.wgsl_name);
-        let agrees = self.signature(&name).is_some_and(|(_, second, returns)| {
-            let same = second.iter().skip(1).map(|d| (d.name, d.ty)).eq(own.iter().map(|d| (d.name, d.ty)));
-            returns == "Surface" && second.first().is_some_and(|d| d.ty == "vec3f") && same
-        });
-        if !agrees {
-            let rest: String = own.iter().map(|d| format!(", {}: {}", d.name, d.ty)).collect();
-            let message = format!("the shape lacks `fn {name}(p: vec3f{rest}) -> Surface`");
-            let advice = "it gives the outward normal and uv at a point of the surface";
-            problems.push(Diagnostic::error(message).at(self.place(0..0), "").help(advice));
-        }
-    }
-
     /// All snippets of a scene share one WGSL module, so helpers carry their function's name.
     fn misnamed_helpers(&self) -> Vec<Diagnostic> {
-        if self.signature(&self.wgsl_name).is_none() {
+        if self.signature(&self.wgsl_name).is_none() && !self.is_distance() {
             return vec![];
         }
         let starts =
@@ -229,68 +223,4 @@ impl Header<'_> {
         };
         helpers.map(wrong).collect()
     }
-}
-
-/// The rest of a doc line, after the name: ` = default, low to high: text`.
-fn doc_line(name: &str, ty: Type, rest: &str) -> Result<Parameter, String> {
-    let (head, doc) =
-        rest.split_once(": ").or_else(|| rest.split_once(':')).ok_or("the doc line has no `:`")?;
-    let (default_text, limits) = match head.trim().strip_prefix('=') {
-        Some(given) => split_default(given.trim()),
-        None => ("", head.trim_start_matches(',').trim()),
-    };
-    let (default_text, choices) = match default_text.split_once(" of ") {
-        Some((word, first)) => (word, format!("{first}, {limits}")),
-        None => (default_text, String::new()),
-    };
-    let choices: Vec<String> =
-        choices.split(',').map(|c| c.trim().to_owned()).filter(|c| !c.is_empty()).collect();
-    let limits = if choices.is_empty() { limits } else { "" };
-    let nonzero = limits == "nonzero";
-    let range = if limits.is_empty() || nonzero { None } else { Some(range(limits)?) };
-    let (default, is_color) = default(ty, default_text, &choices)?;
-    let (name, default_text, doc) = (name.to_owned(), default_text.to_owned(), doc.trim().to_owned());
-    Ok(Parameter { name, ty, default, default_text, range, nonzero, is_color, choices, doc })
-}
-
-/// The default and what stands behind the comma that follows it.
-fn split_default(given: &str) -> (&str, &str) {
-    let from = if given.starts_with('(') { given.find(')').unwrap_or(0) } else { 0 };
-    match given[from..].find(',') {
-        Some(comma) => (given[..from + comma].trim(), given[from + comma + 1..].trim()),
-        None => (given, ""),
-    }
-}
-
-fn range(limits: &str) -> Result<(f32, f32), String> {
-    let parsed = limits
-        .split_once(" to ")
-        .and_then(|(low, high)| Some((low.trim().parse().ok()?, high.trim().parse().ok()?)));
-    match parsed {
-        Some((low, high)) if low < high => Ok((low, high)),
-        _ => Err(format!("`{limits}` is not a range")),
-    }
-}
-
-fn default(ty: Type, text: &str, choices: &[String]) -> Result<(Option<Const>, bool), String> {
-    let wrong = || format!("the default `{text}` is not {}", ty.describe());
-    if text.is_empty() {
-        return Ok((None, false));
-    }
-    if let Some(color) = text.strip_prefix('"').and_then(|t| t.strip_suffix('"')) {
-        let color = parse_color(color).ok_or_else(|| format!("`{text}` is not a color"))?;
-        let is_vec3 = ty == Type::Vec3;
-        return if is_vec3 { Ok((Some(Const::Vec3(color)), true)) } else { Err(wrong()) };
-    }
-    if !choices.is_empty() {
-        let at = choices.iter().position(|c| c == text).filter(|_| ty == Type::U32);
-        return at.map(|i| (Some(Const::U32(i as u32)), false)).ok_or_else(wrong);
-    }
-    if ty == Type::Bool {
-        return text.parse().map(|b| (Some(Const::Bool(b)), false)).map_err(|_| wrong());
-    }
-    let inner = text.strip_prefix('(').and_then(|t| t.strip_suffix(')')).unwrap_or(text);
-    let numbers: Result<Vec<f32>, _> = inner.split(',').map(|n| n.trim().parse::<f32>()).collect();
-    let value = numbers.ok().and_then(|n| Const::from_numbers(ty, &n)).ok_or_else(wrong)?;
-    Ok((Some(value), false))
 }

@@ -3,8 +3,11 @@
 //! In: [`Sources`] and the folder of a scene. Out: [`Function`]s by the names that scenes use.
 
 mod color;
+mod doc_line;
 mod function;
 mod header;
+mod image;
+mod shape;
 mod value;
 
 use std::collections::BTreeMap;
@@ -12,7 +15,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 pub use color::parse_color;
-pub use function::{Function, Kind, Parameter, name_of};
+pub use function::{Function, Kind, Parameter, Traits, name_of};
+pub use image::Image;
 pub use value::{Const, Type};
 
 use crate::diagnostic::{Diagnostic, Place};
@@ -98,6 +102,17 @@ impl<'a> Library<'a> {
         stems.sort();
         stems.dedup();
         stems.iter().map(|stem| function::name_of(stem)).collect()
+    }
+
+    /// The picture in `file`, which lies beside the scene unless its path says otherwise.
+    ///
+    /// # Errors
+    /// Why it cannot be shown.
+    pub fn image(&self, file: &str) -> Result<Image, Diagnostic> {
+        let path = self.folders[0].join(file);
+        let bytes = self.sources.bytes(&path)?;
+        let name = self.sources.name(&path);
+        Image::decode(name.clone(), &bytes).map_err(|why| Diagnostic::error(format!("`{name}` {why}")))
     }
 
     /// What was odd but not wrong, since the last call.

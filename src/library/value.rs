@@ -26,6 +26,10 @@ impl Type {
         ("vec4f", Type::Vec4),
     ];
 
+    pub fn wgsl(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, ty)| *ty == self).expect("NAMES has all types").0
+    }
+
     /// What a scene author calls it.
     pub fn describe(self) -> &'static str {
         match self {

@@ -75,6 +75,16 @@ impl Lines {
         self.0.extend(whole.lines().map(str::to_owned));
     }
 
+    /// `before a && b after`, `indent` columns in, one term a line where it is too long.
+    pub fn chain(&mut self, indent: usize, before: &str, operator: &str, terms: &[String], after: &str) {
+        let flat = format!("{:indent$}{before}{}{after}", "", terms.join(&format!(" {operator} ")));
+        if flat.len() <= WIDTH {
+            return self.push(flat);
+        }
+        let broken = terms.join(&format!("\n{:1$}{operator} ", "", indent + 4));
+        self.0.extend(format!("{:indent$}{before}{broken}{after}", "").lines().map(str::to_owned));
+    }
+
     /// The text, each line with its end.
     pub fn finish(self) -> String {
         self.0.into_iter().map(|line| line + "\n").collect()

@@ -2,7 +2,10 @@
 //!
 //! In: [`ir::Scene`]. Out: a [`Source`], the same bytes every time. Nothing here can fail.
 
+mod bodies;
 mod code;
+mod combinations;
+mod distances;
 mod lights;
 mod materials;
 mod names;
@@ -11,6 +14,7 @@ mod objects;
 mod sections;
 mod values;
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use self::code::Lines;
@@ -73,18 +77,20 @@ impl Source {
 /// The module for `scene`.
 pub fn generate(scene: &ir::Scene, mode: Mode) -> Source {
     let mut writer = Writer::new(scene, mode);
-    let objects = writer.objects();
+    let bodies = writer.bodies();
     let materials = writer.materials();
     let lights = writer.lights();
     let mut text = writer.header();
     text.extend(writer.constants());
-    text.extend(objects);
+    text.extend(bodies);
+    text.extend(writer.marches());
+    text.extend(writer.images());
     text.extend(materials);
     text.extend(lights);
     text.extend(writer.numbers.accessor());
     let own = Section { name: format!("generated from {}", scene.name), text: text.finish().into() };
-    let mut sections = vec![own];
-    sections.extend(sections::needed(scene, &writer.used));
+    let needed = sections::needed(&own, &writer.used);
+    let sections = [own].into_iter().chain(needed).collect();
     Source { mode, sections, numbers: writer.numbers.into_data() }
 }
 
@@ -95,6 +101,8 @@ struct Writer<'a> {
     numbers: Numbers,
     /// Constants of the objects: `OBJECT_FLOOR`.
     object_names: Vec<String>,
+    /// Functions of the combinations, by their names.
+    combination_names: BTreeMap<String, String>,
     /// Functions of the materials and textures.
     material_names: Vec<String>,
     texture_names: Vec<String>,
@@ -108,8 +116,16 @@ impl<'a> Writer<'a> {
         let object_names = scene.objects.iter().map(|o| names.constant("OBJECT", &o.name)).collect();
         let material_names = scene.materials.iter().map(|m| names.function(&m.name, "Material")).collect();
         let texture_names = scene.textures.iter().map(|t| names.function(&t.name, "Texture")).collect();
-        let numbers = Numbers::new(mode);
-        Self { scene, mode, numbers, object_names, material_names, texture_names, used: vec![] }
+        Self {
+            scene,
+            mode,
+            numbers: Numbers::new(mode),
+            object_names,
+            combination_names: combinations::function_names(scene, &mut names),
+            material_names,
+            texture_names,
+            used: vec![],
+        }
     }
 
     fn uses(&mut self, function: &Arc<Function>) {
@@ -161,6 +177,8 @@ impl<'a> Writer<'a> {
         let transmits = self.scene.transmits();
         lines.push("/// Whether any ray goes through a surface.");
         lines.push(format!("const TRANSMITS: bool = {transmits};"));
+        lines.push("/// Whether any material varies over a surface.");
+        lines.push(format!("const TEXTURED: bool = {};", self.scene.is_textured()));
         lines
     }
 }

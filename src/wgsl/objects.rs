@@ -1,136 +1,54 @@
-//! `rayTraceScene`, its sibling for shadows, and the surface of each object.
+//! Objects: their crossings as calls, and `surfaceAt`.
 
 use super::Writer;
 use super::code::{Code, Lines};
-use crate::ir::Object;
+use crate::ir::{Object, Space};
 use crate::library::Const;
 
 /// The most objects that one function names: naga takes quadratic time over a function's statements.
-const OBJECTS_PER_FUNCTION: usize = 32;
+pub const OBJECTS_PER_FUNCTION: usize = 32;
 
 /// What is written about one object more than once, so that its numbers are slots once.
-struct Written {
-    arguments: Vec<Code>,
-    space: Option<Code>,
-    bounds: Option<[Code; 2]>,
+pub struct WrittenObject {
+    pub arguments: Vec<Code>,
+    pub space: Option<Code>,
+}
+
+impl WrittenObject {
+    /// `ray` in the object's space.
+    pub fn local(&self, ray: &str) -> Code {
+        local(self.space.as_ref(), ray)
+    }
+}
+
+/// `ray` in `space`, the world's if there is none.
+pub fn local(space: Option<&Code>, ray: &str) -> Code {
+    match space {
+        None => Code::atom(ray),
+        Some(space) => Code::call("rayInto", [space.clone(), Code::atom(ray)]),
+    }
 }
 
 impl Writer<'_> {
-    pub fn objects(&mut self) -> Lines {
-        let scene = self.scene;
-        let written: Vec<Written> = scene.objects.iter().map(|object| self.object(object)).collect();
-        let mut lines = Lines::default();
-        lines.extend(self.closest(&written));
-        lines.extend(self.blocked(&written));
-        lines.extend(self.surfaces(&written));
-        lines
-    }
-
-    fn object(&mut self, object: &Object) -> Written {
+    pub fn object(&mut self, object: &Object) -> WrittenObject {
         self.uses(&object.shape);
         let arguments = object.arguments.iter().map(|a| self.numbers.constant(*a)).collect();
-        let row = |numbers: &mut super::Numbers, row: &[f32; 4]| numbers.constant(Const::Vec4((*row).into()));
-        let space = object.space.as_ref().map(|rows| {
-            Code::call("Space", rows.iter().map(|r| row(&mut self.numbers, r)).collect::<Vec<_>>())
-        });
-        let bounds =
-            object.bounds.map(|(low, high)| [low, high].map(|c| self.numbers.constant(Const::Vec3(c))));
-        Written { arguments, space, bounds }
+        WrittenObject { arguments, space: object.space.as_ref().map(|rows| self.space(rows)) }
     }
 
-    /// The t at which `ray` meets the object.
-    fn crossing(&self, index: usize, written: &Written) -> Code {
-        let shape = &self.scene.objects[index].shape.wgsl_name;
-        Code::call(shape, [local_ray(written)].into_iter().chain(written.arguments.iter().cloned()))
+    pub fn space(&mut self, rows: &Space) -> Code {
+        let rows: Vec<Code> =
+            rows.iter().map(|row| self.numbers.constant(Const::Vec4((*row).into()))).collect();
+        Code::call("Space", rows)
     }
 
-    fn object_caption(&self, index: usize) -> String {
-        let object = &self.scene.objects[index];
-        self.caption(4, &format!("objects[{index}] \"{}\": ", object.name), &object.caption)
+    /// `function` of `first` and the object's arguments.
+    pub fn on_shape(&self, index: usize, suffix: &str, first: Code, written: &WrittenObject) -> Code {
+        let function = format!("{}{suffix}", self.scene.objects[index].shape.wgsl_name);
+        Code::call(function, [first].into_iter().chain(written.arguments.iter().cloned()))
     }
 
-    fn closest(&self, written: &[Written]) -> Lines {
-        let seen = |index: &usize| self.scene.objects[*index].visible;
-        let indices: Vec<usize> = (0..written.len()).filter(seen).collect();
-        let chunks: Vec<&[usize]> = indices.chunks(OBJECTS_PER_FUNCTION).collect();
-        let mut lines = Lines::default();
-        lines.push("");
-        lines.push("/// The nearest object that `ray` meets.");
-        lines.push("fn rayTraceScene(ray: Ray) -> Hit {");
-        lines.push("    var hit = Hit(ray.t_max, NO_OBJECT);");
-        if chunks.len() > 1 {
-            (0..chunks.len()).for_each(|i| lines.push(format!("    hit = rayTracePart{i}(ray, hit);")));
-        } else {
-            indices.iter().for_each(|index| lines.extend(self.closest_step(*index, &written[*index])));
-        }
-        lines.push("    return hit;");
-        lines.push("}");
-        for (i, chunk) in chunks.iter().enumerate().filter(|_| chunks.len() > 1) {
-            lines.push("");
-            lines.push(format!("fn rayTracePart{i}(ray: Ray, before: Hit) -> Hit {{"));
-            lines.push("    var hit = before;");
-            chunk.iter().for_each(|index| lines.extend(self.closest_step(*index, &written[*index])));
-            lines.push("    return hit;");
-            lines.push("}");
-        }
-        lines
-    }
-
-    fn closest_step(&self, index: usize, written: &Written) -> Lines {
-        let name = Code::atom(&self.object_names[index]);
-        let step = Code::call("nearer", [Code::atom("hit"), self.crossing(index, written), name]);
-        let mut lines = Lines::default();
-        lines.push(self.object_caption(index));
-        self.guarded(&mut lines, written, |lines, indent| lines.statement(indent, "hit = ", &step, ";"));
-        lines
-    }
-
-    fn blocked(&self, written: &[Written]) -> Lines {
-        let casts = |index: &usize| self.scene.objects[*index].casts_shadow;
-        let indices: Vec<usize> = (0..written.len()).filter(casts).collect();
-        let chunks: Vec<&[usize]> = indices.chunks(OBJECTS_PER_FUNCTION).collect();
-        let mut lines = Lines::default();
-        lines.push("");
-        lines.push("/// Whether anything that casts a shadow lies on `ray`.");
-        lines.push("fn sceneBlocks(ray: Ray) -> bool {");
-        if chunks.len() > 1 {
-            for i in 0..chunks.len() {
-                lines.push(format!("    if partBlocks{i}(ray) {{ return true; }}"));
-            }
-        } else {
-            indices.iter().for_each(|index| lines.extend(self.blocked_step(*index, &written[*index])));
-        }
-        lines.push("    return false;");
-        lines.push("}");
-        for (i, chunk) in chunks.iter().enumerate().filter(|_| chunks.len() > 1) {
-            lines.push("");
-            lines.push(format!("fn partBlocks{i}(ray: Ray) -> bool {{"));
-            chunk.iter().for_each(|index| lines.extend(self.blocked_step(*index, &written[*index])));
-            lines.push("    return false;");
-            lines.push("}");
-        }
-        lines
-    }
-
-    fn blocked_step(&self, index: usize, written: &Written) -> Lines {
-        let crossing = self.crossing(index, written);
-        let mut lines = Lines::default();
-        self.guarded(&mut lines, written, |lines, indent| {
-            lines.statement(indent, "if ", &crossing, " < NO_HIT { return true; }");
-        });
-        lines
-    }
-
-    /// What `step` writes, inside a test of the object's bounds where the author gave some.
-    fn guarded(&self, lines: &mut Lines, written: &Written, step: impl FnOnce(&mut Lines, usize)) {
-        let Some(bounds) = &written.bounds else { return step(lines, 4) };
-        let test = Code::call("meetsBounds", [local_ray(written)].into_iter().chain(bounds.clone()));
-        lines.statement(4, "if ", &test, " {");
-        step(lines, 8);
-        lines.push("    }");
-    }
-
-    fn surfaces(&self, written: &[Written]) -> Lines {
+    pub fn surfaces(&self, written: &[WrittenObject]) -> Lines {
         let mut lines = Lines::default();
         let chunks = written.len().div_ceil(OBJECTS_PER_FUNCTION);
         lines.push("");
@@ -156,14 +74,18 @@ impl Writer<'_> {
         lines
     }
 
-    fn surface_switch(&self, first: usize, written: &[Written]) -> Lines {
+    fn surface_switch(&self, first: usize, written: &[WrittenObject]) -> Lines {
         let mut lines = Lines::default();
         lines.push("    switch object {");
         for (i, written) in written.iter().enumerate() {
             let index = first + i;
             let surface = format!("{}Surface", self.scene.objects[index].shape.wgsl_name);
             let arguments = written.arguments.iter().cloned();
-            let on_shape = |p: Code| Code::call(&surface, [p].into_iter().chain(arguments));
+            let inverted = self.scene.objects[index].inverted;
+            let on_shape = |p: Code| {
+                let seen = Code::call(&surface, [p].into_iter().chain(arguments));
+                if inverted { Code::call("inverted", [seen]) } else { seen }
+            };
             lines.push(format!("        case {}: {{", self.object_names[index]));
             let placed = match &written.space {
                 None => Code::call("placed", [on_shape(Code::atom("p"))]),
@@ -181,13 +103,5 @@ impl Writer<'_> {
         lines.push("        }");
         lines.push("    }");
         lines
-    }
-}
-
-/// The ray in the object's space.
-fn local_ray(written: &Written) -> Code {
-    match &written.space {
-        None => Code::atom("ray"),
-        Some(space) => Code::call("rayInto", [space.clone(), Code::atom("ray")]),
     }
 }

@@ -3,34 +3,31 @@
 use std::sync::Arc;
 
 use super::Section;
-use crate::ir;
 use crate::library::{BUILT_IN, Function, built_in};
 
 /// The hand-written shader around every scene.
-const CORE: [&str; 9] = ["main", "view", "trace", "shading", "light", "material", "space", "ray", "frame"];
+const CORE: [&str; 10] =
+    ["main", "view", "trace", "look", "shading", "light", "material", "space", "ray", "frame"];
 
-/// Files that are not part of a scene's shader, or only when something asks for them.
-const BUMP: &str = "shaders/bump.wgsl";
-const DISPLAY: &str = "shaders/display.wgsl";
+/// The one file in shaders/ that is no part of a scene's shader.
+const DISPLAY: &str = "display";
 
-/// The sections that `scene` and the functions that it uses stand on.
-pub fn needed(scene: &ir::Scene, used: &[Arc<Function>]) -> Vec<Section> {
+/// The sections that the scene's own text and the functions that it uses stand on.
+pub fn needed(own: &Section, used: &[Arc<Function>]) -> Vec<Section> {
     let mut sections: Vec<Section> =
         used.iter().map(|f| Section { name: f.file.clone(), text: f.text.clone() }).collect();
     // Shared files may use each other, so each round may find more.
     loop {
+        let calls = |f: &str| calls(&own.text, f) || sections.iter().any(|s| calls(&s.text, f));
         let found: Vec<Section> = shared()
             .filter(|(name, _)| sections.iter().all(|s| s.name != *name))
-            .filter(|(_, text)| functions_in(text).any(|f| sections.iter().any(|s| calls(&s.text, f))))
+            .filter(|(_, text)| functions_in(text).any(calls))
             .map(|(name, text)| section(name, text))
             .collect();
         if found.is_empty() {
             break;
         }
         sections.extend(found);
-    }
-    if scene.materials.iter().any(|m| m.bump.is_some()) {
-        sections.extend(built_in(BUMP).map(|text| section(BUMP, text)));
     }
     for stem in CORE {
         let name = format!("shaders/{stem}.wgsl");
@@ -43,11 +40,11 @@ fn section(name: &str, text: &str) -> Section {
     Section { name: name.into(), text: text.into() }
 }
 
-/// Files in shaders/ that are there for textures and shapes to use.
+/// Files in shaders/ that are there for those who call them.
 fn shared() -> impl Iterator<Item = (&'static str, &'static str)> {
     BUILT_IN.iter().copied().filter(|(name, _)| {
         let stem = name.strip_prefix("shaders/").and_then(|n| n.strip_suffix(".wgsl"));
-        stem.is_some_and(|s| !s.contains('/') && !CORE.contains(&s)) && *name != BUMP && *name != DISPLAY
+        stem.is_some_and(|s| !s.contains('/') && !CORE.contains(&s) && s != DISPLAY)
     })
 }
 

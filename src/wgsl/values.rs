@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::Writer;
 use super::code::{self, Code, Lines};
-use crate::ir::{Call, Ramp, Value};
-use crate::library::Type;
+use crate::ir::{Call, Interpolation, Picture, Ramp, Triplanar, Value};
+use crate::library::{Const, Type};
 
 /// The statements before the expression that a function returns.
 #[derive(Default)]
@@ -34,6 +34,8 @@ impl Writer<'_> {
             Value::Luminance(color) => Code::call("luminance", [self.value(color, at, body, indent)]),
             Value::Call(call) => self.call(call, at, body, indent),
             Value::Ramp(ramp) => self.ramp(ramp, at, body, indent),
+            Value::Triplanar(form) => self.triplanar(form, at, body, indent),
+            Value::Picture(picture) => self.picture(picture, at, body, indent),
         }
     }
 
@@ -64,14 +66,54 @@ impl Writer<'_> {
         let color = body.bind("var", "ramp", &first, indent);
         let mut low = *first_at;
         for (high, stop) in &ramp.stops[1..] {
-            let ends = [low, *high].map(|x| self.numbers.constant(crate::library::Const::F32(x)));
-            let step = Code::call("rampStep", ends.into_iter().chain([Code::atom(&by)]));
+            let ends = [low, *high].map(|x| self.numbers.constant(Const::F32(x)));
+            let step = match ramp.interpolation {
+                Interpolation::Linear => "rampStep",
+                Interpolation::Smooth => "rampSmooth",
+                Interpolation::Constant => "rampConstant",
+            };
+            let step = Code::call(step, ends.into_iter().chain([Code::atom(&by)]));
             let stop = self.value(stop, at, body, indent);
             let mixed = Code::call("mix", [Code::atom(&color), stop, step]);
             body.lines.statement(indent, &format!("{color} = "), &mixed, ";");
             low = *high;
         }
         Code::atom(color)
+    }
+
+    /// The texture is written once, in a loop over the three sides.
+    fn triplanar(&mut self, form: &Triplanar, at: &str, body: &mut Body, indent: usize) -> Code {
+        let at = &self.moved(form.at.as_deref(), at, body, indent);
+        let sum = body.bind("var", "sides", &Code::call("vec3f", [Code::atom("0.0")]), indent);
+        let sharpness = self.numbers.constant(Const::F32(form.sharpness));
+        body.lines.push(format!("{:indent$}for (var side = 0u; side < 3u; side++) {{", ""));
+        let project = Code::call("sideOf", [Code::atom(at), Code::atom("side")]);
+        let flat = body.bind("let", "at", &project, indent + 4);
+        let color = self.value(&form.of, &flat, body, indent + 4);
+        let seen = body.bind("let", "side_color", &color, indent + 4);
+        let weight = Code::call("sideShare", [Code::atom(at), Code::atom("side"), sharpness]);
+        body.lines.statement(indent + 4, &format!("{sum} += {seen} * "), &weight, ";");
+        body.lines.push(format!("{:indent$}}}", ""));
+        Code::atom(sum)
+    }
+
+    fn picture(&mut self, picture: &Picture, at: &str, body: &mut Body, indent: usize) -> Code {
+        let at = self.moved(picture.at.as_deref(), at, body, indent);
+        let numbers = [Const::F32(picture.width), Const::Bool(picture.repeat)];
+        let arguments = [Code::atom(format!("image{}", picture.image)), Code::atom(at)];
+        let numbers = numbers.map(|number| self.numbers.constant(number));
+        Code::call("imageColor", arguments.into_iter().chain(numbers))
+    }
+
+    /// What the images are bound to.
+    pub fn images(&self) -> Lines {
+        let mut lines = Lines::default();
+        for (i, image) in self.scene.images.iter().enumerate() {
+            lines.push("");
+            lines.push(code::one_line(&format!("/// {}", image.file)));
+            lines.push(format!("@group(1) @binding({}) var image{i}: texture_2d<f32>;", i + 1));
+        }
+        lines
     }
 
     /// The functions of the declared textures that something uses, in the author's order.
@@ -117,6 +159,13 @@ fn reach(value: &Value, scene: &crate::ir::Scene, reached: &mut BTreeSet<usize>)
             ramp.at.iter().for_each(|mapping| reach_call(mapping, scene, reached));
             reach(&ramp.by, scene, reached);
             ramp.stops.iter().for_each(|(_, stop)| reach(stop, scene, reached));
+        }
+        Value::Picture(picture) => {
+            picture.at.iter().for_each(|mapping| reach_call(mapping, scene, reached));
+        }
+        Value::Triplanar(form) => {
+            form.at.iter().for_each(|mapping| reach_call(mapping, scene, reached));
+            reach(&form.of, scene, reached);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::roots;
 use super::shapes::Shape;
+use super::solids;
 use super::vector::Vec3;
 
 /// The nearest crossing with t in (t_min, t_max), from outside or inside; t counts in `direction`.
@@ -49,16 +50,38 @@ fn crossings(shape: &Shape, o: Vec3, d: Vec3) -> Vec<f64> {
         Shape::Quad { corner, u, v } => {
             parallelogram(corner, u, v, o, d, |u, v| (0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v))
         }
+        Shape::RoundedCone { base, top, base_radius, top_radius } => {
+            solids::rounded_cone(base, top, base_radius, top_radius, o, d)
+        }
+        Shape::HexPrism { center, axis, radius, height } => {
+            solids::polyhedron(&solids::hex_prism(center, axis, radius, height), o, d)
+        }
+        Shape::RoundedCylinder { base, top, radius, rounding } => {
+            solids::rounded_cylinder(base, top, radius, rounding, o, d)
+        }
+        Shape::Wedge { min, max } => solids::polyhedron(&solids::wedge(min, max), o, d),
+        Shape::Pyramid { base, top, base_size, top_size } => {
+            solids::polyhedron(&solids::pyramid(base, top, base_size, top_size), o, d)
+        }
+        Shape::Paraboloid { base, top, radius } => {
+            solids::turned(base, top, solids::paraboloid(base, top, radius), o, d)
+        }
+        Shape::Hyperboloid { base, top, end_radius, waist_radius } => {
+            solids::turned(base, top, solids::hyperboloid(base, top, end_radius, waist_radius), o, d)
+        }
+        Shape::Superellipsoid { center, radii, exponents } => {
+            solids::superellipsoid(o - center, d, radii, exponents)
+        }
     }
 }
 
 /// |o + t·d|² = r².
-fn sphere(o: Vec3, d: Vec3, radius: f64) -> Vec<f64> {
+pub fn sphere(o: Vec3, d: Vec3, radius: f64) -> Vec<f64> {
     roots::quadratic(d.dot(d), o.dot(d), o.dot(o) - radius * radius)
 }
 
 /// Where the line enters the last of three slabs and leaves the first.
-fn slabs(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Vec<f64> {
+pub fn slabs(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Vec<f64> {
     let (low, high) = ((min - o) / d, (max - o) / d);
     let near = low.zip(high, f64::min).largest();
     let far = -(-low.zip(high, f64::max)).largest();
@@ -106,7 +129,7 @@ fn frustum(base: Vec3, top: Vec3, r0: f64, r1: f64, o: Vec3, d: Vec3) -> Vec<f64
 }
 
 /// The points at one distance from a segment: a side between its ends, a ball beyond each.
-fn capsule(base: Vec3, top: Vec3, radius: f64, o: Vec3, d: Vec3) -> Vec<f64> {
+pub fn capsule(base: Vec3, top: Vec3, radius: f64, o: Vec3, d: Vec3) -> Vec<f64> {
     let length = (top - base).length();
     let axis = (top - base) * (1.0 / length);
     let (h, k) = ((o - base).dot(axis), d.dot(axis));
@@ -119,7 +142,7 @@ fn capsule(base: Vec3, top: Vec3, radius: f64, o: Vec3, d: Vec3) -> Vec<f64> {
 }
 
 /// (|p|² + R² − r²)² = 4·R²·(|p|² − (p·axis)²) along p = o + s·d/|d|, within the ball that holds it.
-fn torus(o: Vec3, d: Vec3, axis: Vec3, major: f64, minor: f64) -> Vec<f64> {
+pub fn torus(o: Vec3, d: Vec3, axis: Vec3, major: f64, minor: f64) -> Vec<f64> {
     let speed = d.length();
     let d = d * (1.0 / speed);
     let (b, c) = (o.dot(d), o.dot(o));

@@ -21,6 +21,7 @@ mod shade;
 #[cfg(test)]
 mod shape_checks;
 mod shapes;
+mod solids;
 mod surface;
 mod texture;
 mod transform;

@@ -7,7 +7,7 @@ use super::{nearest_hit, outward_normal};
 /// A solid as text, with a function that is negative inside it, positive outside.
 type Solid = (&'static str, fn(Vec3) -> f64);
 
-const SOLIDS: [Solid; 10] = [
+const SOLIDS: [Solid; 20] = [
     ("Sphere(center: (0.2, 0, 0), radius: 0.9)", |p| (p - Vec3::new(0.2, 0.0, 0.0)).length() - 0.9),
     ("Plane(normal: (1, 2, 2), offset: 0.6)", |p| (p[0] + 2.0 * p[1] + 2.0 * p[2]) / 3.0 - 0.2),
     ("Box(min: (-1, -0.5, 0), max: (0.5, 1, 1))", |p| {
@@ -36,7 +36,50 @@ const SOLIDS: [Solid; 10] = [
     ("Ellipsoid(center: (0, 0, 0.3), radii: (1, 0.4, 0.6))", |p| {
         (p - Vec3::new(0.0, 0.0, 0.3)).zip(Vec3::new(1.0, 0.4, 0.6), |x, r| x / r).length() - 1.0
     }),
+    ("RoundedCone(base: (0, -0.5, 0.1), top: (0, 0.7, 0.1), base_radius: 0.6, top_radius: 0.25)", |p| {
+        hull_of_balls([p[0].hypot(p[2] - 0.1), p[1] + 0.5], 1.2, 0.6, 0.25)
+    }),
+    ("RoundedCone(base: (-0.2, 0, 0), top: (0.1, 0, 0), base_radius: 0.1, top_radius: 0.8)", |p| {
+        (p - Vec3::new(0.1, 0.0, 0.0)).length() - 0.8
+    }),
+    ("HexPrism(center: (0.1, 0, 0), radius: 0.9, height: 1.2)", |p| {
+        let (x, z, apothem) = ((p[0] - 0.1).abs(), p[2].abs(), 0.75_f64.sqrt());
+        (x * apothem + 0.5 * z).max(z).max(p[1].abs() - 0.6 + 0.9 * apothem) - 0.9 * apothem
+    }),
+    ("RoundedCylinder(base: (0, 0.1, -0.8), top: (0, 0.1, 0.6), radius: 0.7, rounding: 0.2)", |p| {
+        let out = Vec3::new(p[0].hypot(p[1] - 0.1) - 0.5, (p[2] + 0.1).abs() - 0.5, -1.0);
+        out.map(|x| x.max(0.0)).length() + out[0].max(out[1]).min(0.0) - 0.2
+    }),
+    ("Wedge(min: (-1, -0.5, -0.6), max: (0.6, 0.7, 0.9))", |p| {
+        let ramp = 0.8 * (p[1] + 0.5) - 0.6 * (p[0] + 1.0);
+        ramp.max(p[0] - 0.6).max(-0.5 - p[1]).max(p[2] - 0.9).max(-0.6 - p[2])
+    }),
+    ("Pyramid(base: (0.1, -0.6, 0), top: (0.1, 0.6, 0), base_size: 1.8)", |p| {
+        let side = (0.8 * (p[0] - 0.1).abs().max(p[2].abs()) + 0.6 * p[1]) - 0.36;
+        side.max(-0.6 - p[1])
+    }),
+    ("Pyramid(base: (-0.6, 0, 0), top: (0.9, 0, 0), base_size: 0.6, top_size: 1.6)", |p| {
+        (p[1].abs().max(p[2].abs()) - 0.5 - p[0] / 3.0).max(p[0] - 0.9).max(-0.6 - p[0])
+    }),
+    ("Paraboloid(base: (0, -0.6, 0), top: (0, 0.9, 0), radius: 0.9)", |p| {
+        (p[0] * p[0] + p[2] * p[2] - 0.54 * (0.9 - p[1])).max(-0.6 - p[1])
+    }),
+    ("Hyperboloid(base: (0, 0, -0.8), top: (0, 0, 0.8), end_radius: 1, waist_radius: 0.6)", |p| {
+        (p[0] * p[0] + p[1] * p[1] - p[2] * p[2] - 0.36).max(p[2].abs() - 0.8)
+    }),
+    ("Superellipsoid(radii: (1, 0.5, 0.8), east_west: 0.5, north_south: 1)", |p| {
+        (p[0].powi(4) + (p[2] / 0.8).powi(4)).sqrt() + 4.0 * p[1] * p[1] - 1.0
+    }),
 ];
+
+/// The distance to two balls on an axis and the cone around them, from a way off the axis and a height:
+/// that to the nearest of all balls between the two.
+fn hull_of_balls([off, height]: [f64; 2], length: f64, r0: f64, r1: f64) -> f64 {
+    let sine = (r0 - r1) / length;
+    let lean = sine / (1.0 - sine * sine).sqrt();
+    let share = ((height - off * lean) / length).clamp(0.0, 1.0);
+    off.hypot(height - share * length) - r0 - share * (r1 - r0)
+}
 
 fn box_distance(p: Vec3, center: Vec3, half: Vec3) -> f64 {
     let q = (p - center).map(f64::abs) - half;

@@ -2,6 +2,7 @@
 
 use super::hit::coordinates;
 use super::shapes::Shape;
+use super::solids;
 use super::vector::Vec3;
 
 /// The unit normal that points out of the shape at a point p of its surface.
@@ -31,6 +32,28 @@ pub fn outward_normal(shape: &Shape, p: [f64; 3]) -> [f64; 3] {
         Shape::Ellipsoid { center, radii } => (p - center) / (radii * radii),
         Shape::Triangle { a, b, c } => (b - a).cross(c - a),
         Shape::Quad { u, v, .. } => u.cross(v),
+        Shape::RoundedCone { base, top, base_radius, top_radius } => {
+            solids::rounded_cone_normal(base, top, base_radius, top_radius, p)
+        }
+        Shape::HexPrism { center, axis, radius, height } => {
+            solids::polyhedron_normal(&solids::hex_prism(center, axis, radius, height), p)
+        }
+        Shape::RoundedCylinder { base, top, radius, rounding } => {
+            solids::rounded_cylinder_normal(base, top, radius, rounding, p)
+        }
+        Shape::Wedge { min, max } => solids::polyhedron_normal(&solids::wedge(min, max), p),
+        Shape::Pyramid { base, top, base_size, top_size } => {
+            solids::polyhedron_normal(&solids::pyramid(base, top, base_size, top_size), p)
+        }
+        Shape::Paraboloid { base, top, radius } => {
+            solids::turned_normal(base, top, solids::paraboloid(base, top, radius), p)
+        }
+        Shape::Hyperboloid { base, top, end_radius, waist_radius } => {
+            solids::turned_normal(base, top, solids::hyperboloid(base, top, end_radius, waist_radius), p)
+        }
+        Shape::Superellipsoid { center, radii, exponents } => {
+            solids::superellipsoid_normal(p - center, radii, exponents)
+        }
     };
     normal.unit().0
 }

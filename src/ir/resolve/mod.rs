@@ -1,9 +1,11 @@
 //! From what the author wrote to a scene without open questions: the only file that refuses a scene.
 
+mod forms;
 mod lights;
 mod materials;
 mod objects;
 mod options;
+mod placement;
 mod reader;
 mod textures;
 mod values;
@@ -15,7 +17,7 @@ use glam::Vec3;
 use self::reader::Fields;
 use super::{Camera, Material, Scene, Texture, Value};
 use crate::diagnostic::{Diagnostic, Place, Severity};
-use crate::library::{Const, Library};
+use crate::library::{Const, Image, Library};
 use crate::scene;
 
 /// The scene that `root` describes, and warnings; `file` and `text` are where it was written.
@@ -52,6 +54,7 @@ struct Resolver<'a> {
     pending: Vec<String>,
     /// Names of the textures that are made of themselves, and reported.
     circular: BTreeSet<String>,
+    images: Vec<Image>,
     textures: Vec<Texture>,
     materials: Vec<Material>,
     /// Indices of the materials that have a name.
@@ -68,6 +71,7 @@ impl<'a> Resolver<'a> {
             declared: BTreeMap::new(),
             pending: vec![],
             circular: BTreeSet::new(),
+            images: vec![],
             textures: vec![],
             materials: vec![],
             named_materials: BTreeMap::new(),
@@ -110,7 +114,7 @@ impl<'a> Resolver<'a> {
         };
         let ambient = ambient.map_or(Vec3::splat(0.1), |value| self.constant_color(value));
         let lights = self.lights(lights);
-        let objects = self.objects(objects, root);
+        let (objects, bodies) = self.objects(objects, root);
         let render = self.render(render);
         Scene {
             name: self.file.to_owned(),
@@ -118,9 +122,11 @@ impl<'a> Resolver<'a> {
             background,
             ambient,
             lights,
+            images: std::mem::take(&mut self.images),
             textures: std::mem::take(&mut self.textures),
             materials: std::mem::take(&mut self.materials),
             objects,
+            bodies,
             render,
         }
     }

@@ -1,74 +1,146 @@
-//! Objects: a shape's own fields, and those that every object has.
+//! Objects: a shape's own fields, those that every object has, and solids made of several.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use glam::{DAffine3, DMat3, DQuat, Vec3};
+use glam::DAffine3;
 
 use super::Resolver;
+use super::placement::into_space;
 use super::reader::Fields;
 use crate::diagnostic::Diagnostic;
-use crate::ir::Object;
+use crate::ir::{Body, Combination, Object, Operation, Solid};
 use crate::library::Family;
-use crate::scene::{self, Kind, Record};
+use crate::scene::{self, Kind, Name, Record};
 
 /// Uniform data and compile time grow with the objects of a scene that is written out.
 const MOST_OBJECTS: usize = 4096;
 
+/// The solids that the generator makes of others.
+pub const OPERATIONS: [(&str, Operation); 3] = [
+    ("Union", Operation::Union),
+    ("Intersection", Operation::Intersection),
+    ("Difference", Operation::Difference),
+];
+
+/// The objects of a scene, so far.
+#[derive(Default)]
+struct Found {
+    objects: Vec<Object>,
+    /// Names of objects and combinations, and where they were given.
+    names: BTreeMap<String, Range<usize>>,
+}
+
+/// What a part has from the solids that it is a part of.
+#[derive(Clone, Copy)]
+struct Around<'a> {
+    name: &'a str,
+    to_world: Option<DAffine3>,
+    material: Option<usize>,
+    inverted: bool,
+}
+
 impl Resolver<'_> {
-    pub fn objects(&mut self, written: Option<&scene::Value>, root: &scene::Value) -> Vec<Object> {
+    /// The objects, and the bodies that they are or are parts of.
+    pub fn objects(
+        &mut self,
+        written: Option<&scene::Value>,
+        root: &scene::Value,
+    ) -> (Vec<Object>, Vec<Body>) {
+        let mut found = Found::default();
         let Some(written) = written else {
             // What has no fields at all has been reported.
             if matches!(root.kind, Kind::Record(_)) {
                 let problem = self.error(&root.span, "the scene has no `objects`");
                 problem.help.push("write `objects: [ Sphere() ]`".into());
             }
-            return vec![];
+            return (vec![], vec![]);
         };
         let Kind::List(items) = &written.kind else {
             self.mismatch(written, "a list of objects `[Sphere()]`");
-            return vec![];
+            return (vec![], vec![]);
         };
         if items.len() > MOST_OBJECTS {
             self.error(&written.span, format!("{} objects: the most are {MOST_OBJECTS}", items.len()));
-            return vec![];
+            return (vec![], vec![]);
         }
-        let mut names: BTreeMap<String, Range<usize>> = BTreeMap::new();
-        let mut objects = vec![];
-        for (index, item) in items.iter().enumerate() {
-            let Some(object) = self.object(item, index) else { continue };
-            if let Some(first) = names.get(&object.name) {
-                let message = format!("two objects are called \"{}\"", object.name);
-                let (here, there) = (self.place(&item.span), self.place(first));
-                self.push(Diagnostic::error(message).at(here, "again").at(there, "first"));
-            }
-            names.insert(object.name.clone(), item.span.clone());
-            objects.push(object);
-        }
-        objects
+        let bodies =
+            items.iter().enumerate().filter_map(|(i, item)| self.body(item, i, &mut found)).collect();
+        (found.objects, bodies)
     }
 
-    fn object(&mut self, written: &scene::Value, index: usize) -> Option<Object> {
-        let Kind::Record(Record { name: Some(shape_name), .. }) = &written.kind else {
-            self.mismatch(written, "a shape such as `Sphere(radius: 1)`");
-            return None;
-        };
-        let shape = self.function(Family::Shape, shape_name)?;
-        let mut fields = Fields::of(self, written, &format!("`{}`", shape.name));
+    fn body(&mut self, written: &scene::Value, index: usize, found: &mut Found) -> Option<Body> {
+        let shape = self.named(written)?;
+        let mut fields = Fields::of(self, written, &format!("`{}`", shape.text));
+        let bounds = fields.get("bounds").and_then(|bounds| self.bounds(bounds));
+        let visible = fields.flag(self, "visible", true);
+        let casts_shadow = fields.flag(self, "casts_shadow", true);
+        let around = Around { name: "", to_world: None, material: None, inverted: false };
+        let (solid, to_world) = self.solid(written, shape, fields, index, around, found)?;
+        Some(Body { solid, space: to_world.map(into_space), bounds, visible, casts_shadow })
+    }
+
+    /// The `Name` of `Name(…)`.
+    fn named<'v>(&mut self, written: &'v scene::Value) -> Option<&'v Name> {
+        if let Kind::Record(Record { name: Some(name), .. }) = &written.kind {
+            return Some(name);
+        }
+        self.mismatch(written, "a shape such as `Sphere(radius: 1)`");
+        None
+    }
+
+    /// A shape or a combination, and the map from its space into the world.
+    fn solid(
+        &mut self,
+        written: &scene::Value,
+        shape: &Name,
+        mut fields: Fields<'_>,
+        index: usize,
+        around: Around<'_>,
+        found: &mut Found,
+    ) -> Option<(Solid, Option<DAffine3>)> {
         let name = match fields.get("name").map(|n| (n, &n.kind)) {
             Some((_, Kind::Text(name))) if !name.is_empty() => name.clone(),
             Some((value, _)) => {
                 self.mismatch(value, "a name such as \"ball\"");
                 String::new()
             }
-            None => format!("{} {index}", shape.name),
+            None => format!("{} {} {index}", around.name, shape.text).trim_start().to_owned(),
         };
-        let material = fields.get("material");
-        let material = self.material(material, &name);
-        let space = self.space(&mut fields);
-        let bounds = fields.get("bounds").and_then(|bounds| self.bounds(bounds));
-        let visible = fields.flag(self, "visible", true);
-        let casts_shadow = fields.flag(self, "casts_shadow", true);
+        if let Some(first) = found.names.get(&name) {
+            let message = format!("two objects are called \"{name}\"");
+            let (here, there) = (self.place(&written.span), self.place(first));
+            self.push(Diagnostic::error(message).at(here, "again").at(there, "first"));
+        }
+        found.names.insert(name.clone(), written.span.clone());
+        let to_world = match (around.to_world, self.placement(&mut fields)) {
+            (Some(outer), Some(inner)) => Some(outer * inner),
+            (outer, inner) => outer.or(inner),
+        };
+        let around = Around { name: &name, to_world, ..around };
+        let solid = match OPERATIONS.iter().find(|(known, _)| *known == shape.text) {
+            Some((_, operation)) => self.combination(*operation, written, fields, around, found),
+            None => {
+                let object = self.object(written, shape, fields, around)?;
+                found.objects.push(object);
+                Some(Solid::Object(found.objects.len() - 1))
+            }
+        };
+        Some((solid?, to_world))
+    }
+
+    fn object(
+        &mut self,
+        written: &scene::Value,
+        shape: &Name,
+        mut fields: Fields<'_>,
+        around: Around<'_>,
+    ) -> Option<Object> {
+        let shape = self.function(Family::Shape, shape)?;
+        let material = match (fields.get("material"), around.material) {
+            (None, Some(material)) => material,
+            (written, _) => self.material(written, around.name),
+        };
         let mut arguments = vec![];
         for parameter in &shape.parameters {
             let argument = match fields.get(&parameter.name) {
@@ -81,71 +153,56 @@ impl Resolver<'_> {
             arguments.extend(argument);
         }
         fields.finish(self);
-        let caption = self.words(written, &["name", "material"]);
-        Some(Object { name, caption, shape, arguments, material, space, bounds, visible, casts_shadow })
+        Some(Object {
+            name: around.name.to_owned(),
+            caption: self.words(written, &["name", "material"]),
+            shape,
+            arguments,
+            material,
+            space: around.to_world.map(into_space),
+            inverted: around.inverted,
+        })
     }
 
-    /// The map from the world into the object's space, where the author moves the object.
-    fn space(&mut self, fields: &mut Fields<'_>) -> Option<[[f32; 4]; 3]> {
-        let moved = ["translate", "rotate_deg", "scale"].iter().any(|field| fields.has(field));
-        let translate = fields.vector(self, "translate", Some(Vec3::ZERO)).as_dvec3();
-        let turned =
-            fields.vector(self, "rotate_deg", Some(Vec3::ZERO)).as_dvec3() * (std::f64::consts::PI / 180.0);
-        let scale = match fields.get("scale") {
-            Some(value) => self.scale(value),
-            None => Vec3::ONE,
-        };
-        if !moved {
-            return None;
-        }
-        let turn = DQuat::from_rotation_z(turned.z)
-            * DQuat::from_rotation_y(turned.y)
-            * DQuat::from_rotation_x(turned.x);
-        let scale = DMat3::from_diagonal(scale.as_dvec3());
-        let to_world = DAffine3::from_mat3_translation(DMat3::from_quat(turn) * scale, translate);
-        let inverse = to_world.inverse();
-        let row = |i: usize| {
-            let m = inverse.matrix3.row(i);
-            let at = inverse.translation[i];
-            [m.x, m.y, m.z, at].map(rounded)
-        };
-        Some([row(0), row(1), row(2)])
-    }
-
-    fn scale(&mut self, value: &scene::Value) -> Vec3 {
-        let scale = match value.kind {
-            Kind::Number(_) => self.number(value, None).map(Vec3::splat),
-            Kind::Tuple(_) | Kind::List(_) => self.vector(value),
-            _ => {
-                self.mismatch(value, "a number or a vector (x, y, z)");
-                None
-            }
-        };
-        let scale = scale.unwrap_or(Vec3::ONE);
-        if scale.abs().min_element() < 1e-6 {
-            self.error(&value.span, "`scale` must not be 0")
-                .help
-                .push("leave the object out, or make it thin: 0.001".into());
-            return Vec3::ONE;
-        }
-        scale
-    }
-
-    fn bounds(&mut self, written: &scene::Value) -> Option<(Vec3, Vec3)> {
-        let before = self.problems.len();
-        let mut fields = Fields::of(self, written, "`bounds`");
-        let min = fields.vector(self, "min", None);
-        let max = fields.vector(self, "max", None);
+    fn combination(
+        &mut self,
+        operation: Operation,
+        written: &scene::Value,
+        mut fields: Fields<'_>,
+        around: Around<'_>,
+        found: &mut Found,
+    ) -> Option<Solid> {
+        let material = fields.get("material").map(|m| self.material(Some(m), around.name));
+        let parts = fields.require(self, "parts");
         fields.finish(self);
-        if self.problems.len() == before && min.cmpge(max).any() {
-            self.error(&written.span, "`min` must be below `max`");
+        let around = Around { material: material.or(around.material), ..around };
+        let parts = parts?;
+        let Kind::List(items) = &parts.kind else {
+            self.mismatch(parts, "a list of solids `[Box(), Sphere()]`");
+            return None;
+        };
+        if items.is_empty() {
+            self.error(&parts.span, "there are no parts");
             return None;
         }
-        Some((min, max))
+        let mut solids = vec![];
+        for (i, item) in items.iter().enumerate() {
+            let Some(shape) = self.named(item) else { continue };
+            let fields = Fields::of(self, item, &format!("`{}` as a part", shape.text));
+            let cut = operation == Operation::Difference && i > 0;
+            let around = Around { inverted: around.inverted != cut, ..around };
+            let Some((solid, _)) = self.solid(item, shape, fields, i, around, found) else { continue };
+            if let Solid::Object(index) = solid
+                && found.objects[index].shape.traits.is_open
+            {
+                let message = format!("`{}` encloses nothing", shape.text);
+                let advice = "parts are solids: give it thickness, as `Box` or `Cylinder` have".into();
+                self.error(&shape.span, message).help.push(advice);
+            }
+            solids.push(solid);
+        }
+        let caption = self.words(written, &["name", "material", "parts"]);
+        let name = around.name.to_owned();
+        Some(Solid::Combination(Combination { name, caption, operation, parts: solids }))
     }
-}
-
-/// Rid of the last bits of sine and cosine, which differ between systems.
-fn rounded(x: f64) -> f32 {
-    ((x * 1e9).round() / 1e9) as f32
 }

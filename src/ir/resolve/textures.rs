@@ -1,16 +1,15 @@
-//! Values that vary over a surface: calls of textures and mappings, ramps, and names of them.
+//! Values that vary over a surface: calls of textures and mappings, and names of them.
 
 use std::sync::Arc;
 
 use super::Resolver;
+use super::forms::{FORMS, IMAGE, RAMP, TRIPLANAR};
+use super::objects::OPERATIONS;
 use super::reader::Fields;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{Call, Ramp, Texture, Value};
+use crate::ir::{Call, Texture, Value};
 use crate::library::{Const, Family, Function, Kind, Parameter, Type};
 use crate::scene::{self, Kind as Written, Record};
-
-/// The forms that are the generator's own.
-const RAMP: &str = "Ramp";
 
 impl<'a> Resolver<'a> {
     /// What `textures:` declares, all of it, used or not.
@@ -115,7 +114,7 @@ impl<'a> Resolver<'a> {
             Value::Call(call) if call.function.kind == Kind::Pattern => Type::F32,
             Value::Texture(index) => self.textures[*index].ty,
             Value::Luminance(_) => Type::F32,
-            Value::Call(_) | Value::Ramp(_) | Value::Grey(_) => Type::Vec3,
+            _ => Type::Vec3,
         }
     }
 
@@ -154,8 +153,11 @@ impl<'a> Resolver<'a> {
     /// What `Name(…)` computes.
     fn texture(&mut self, value: &scene::Value, record: &Record) -> Option<Value> {
         let name = record.name.as_ref().expect("the caller has looked");
-        if name.text == RAMP {
-            return self.ramp(value).map(|ramp| Value::Ramp(Box::new(ramp)));
+        match name.text.as_str() {
+            RAMP => return self.ramp(value).map(|ramp| Value::Ramp(Box::new(ramp))),
+            TRIPLANAR => return self.triplanar(value).map(|form| Value::Triplanar(Box::new(form))),
+            IMAGE => return self.picture(value).map(|form| Value::Picture(Box::new(form))),
+            _ => {}
         }
         let function = self.function(Family::Texture, name)?;
         if function.kind == Kind::Mapping {
@@ -178,12 +180,17 @@ impl<'a> Resolver<'a> {
             Err(None) => {
                 let noun = family.noun();
                 let mut known = self.library.names(family);
-                if family == Family::Texture {
-                    known.push(RAMP.into());
+                match family {
+                    Family::Texture => known.extend(FORMS.map(str::to_owned)),
+                    Family::Shape => known.extend(OPERATIONS.map(|(name, _)| name.to_owned())),
                 }
                 let place = self.place(&name.span);
                 let problem = Diagnostic::error(format!("there is no {noun} `{}`", name.text)).at(place, "");
-                self.push(problem.suggest(&name.text, known.iter().map(String::as_str)));
+                let mut problem = problem.suggest(&name.text, known.iter().map(String::as_str));
+                if problem.help.is_empty() {
+                    problem.help.push(format!("`raytoy {noun}s` lists them"));
+                }
+                self.push(problem);
                 None
             }
         }
@@ -191,7 +198,7 @@ impl<'a> Resolver<'a> {
 
     fn call(&mut self, function: Arc<Function>, value: &scene::Value) -> Option<Call> {
         let mut fields = Fields::of(self, value, &format!("`{}`", function.name));
-        let at = fields.get("at").map(|mapping| self.mapping(mapping));
+        let at = self.at(&mut fields);
         let before = self.problems.len();
         let mut arguments = vec![];
         for parameter in &function.parameters {
@@ -206,10 +213,7 @@ impl<'a> Resolver<'a> {
         }
         fields.finish(self);
         let complete = arguments.len() == function.parameters.len() && self.problems.len() == before;
-        let at = match at {
-            Some(mapping) => Some(Box::new(mapping?)),
-            None => None,
-        };
+        let at = at?;
         complete.then_some(Call { function, at, arguments })
     }
 
@@ -229,12 +233,13 @@ impl<'a> Resolver<'a> {
         Some(self.varying(given, parameter.ty, parameter.is_color, parameter.range))
     }
 
-    fn mapping(&mut self, value: &scene::Value) -> Option<Call> {
+    pub fn mapping(&mut self, value: &scene::Value) -> Option<Call> {
         let Written::Record(record @ Record { name: Some(name), .. }) = &value.kind else {
             self.mismatch(value, "a mapping such as `Turbulence()`");
             return None;
         };
-        let function = if name.text == RAMP { None } else { Some(self.function(Family::Texture, name)?) };
+        let is_form = FORMS.contains(&name.text.as_str());
+        let function = if is_form { None } else { Some(self.function(Family::Texture, name)?) };
         match function.filter(|f| f.kind == Kind::Mapping) {
             Some(function) => self.call(function, value),
             None => {
@@ -246,41 +251,5 @@ impl<'a> Resolver<'a> {
                 None
             }
         }
-    }
-
-    fn ramp(&mut self, value: &scene::Value) -> Option<Ramp> {
-        let mut fields = Fields::of(self, value, "`Ramp`");
-        let at = fields.get("at").map(|mapping| self.mapping(mapping));
-        let by = fields.require(self, "by").map(|by| self.pattern(by, (-1e6, 1e6)));
-        let stops = fields.require(self, "stops");
-        fields.finish(self);
-        let stops = stops?;
-        let Written::List(items) = &stops.kind else {
-            self.mismatch(stops, "a list of stops `[(0.0, \"#000\"), (1.0, \"#fff\")]`");
-            return None;
-        };
-        let mut resolved: Vec<(f32, Value)> = vec![];
-        for item in items {
-            match &item.kind {
-                Written::Tuple(pair) if pair.len() == 2 => {
-                    let at = self.number(&pair[0], None)?;
-                    if resolved.last().is_some_and(|(before, _)| *before > at) {
-                        self.error(&pair[0].span, "stops go from low to high");
-                    }
-                    let color = self.color(&pair[1]);
-                    resolved.push((at, color));
-                }
-                _ => self.mismatch(item, "a stop `(0.5, \"tomato\")`"),
-            }
-        }
-        if resolved.len() < 2 {
-            self.error(&stops.span, "a ramp needs two stops or more");
-            return None;
-        }
-        let at = match at {
-            Some(mapping) => Some(Box::new(mapping?)),
-            None => None,
-        };
-        Some(Ramp { at, by: by?, stops: resolved })
     }
 }

@@ -8,6 +8,8 @@ const OBJECT_PLANE_0: u32 = 0u;
 const LIGHTS: u32 = 3u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {

@@ -10,6 +10,8 @@ const OBJECT_SPHERE_1: u32 = 1u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -78,7 +80,7 @@ fn heightAt(object: u32, at: Surface) -> f32 {
             return height * 0.04;
         }
         case OBJECT_SPHERE_1: {
-            let height = luminance(brick(at, 5.0, 3.0, 0.1, 0.15, vec3f(1.0), vec3f(0.0)));
+            let height = luminance(brick(at, 5.0, 3.0, 0u, 0.1, 0.15, vec3f(1.0), vec3f(0.0)));
             return height * 0.03;
         }
         default: { return 0.0; }

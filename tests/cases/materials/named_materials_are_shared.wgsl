@@ -11,6 +11,8 @@ const OBJECT_PLANE_3: u32 = 3u;
 const LIGHTS: u32 = 0u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {

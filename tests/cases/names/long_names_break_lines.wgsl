@@ -9,6 +9,8 @@ const OBJECT_A_BOX_WITH_A_NAME_THAT_I: u32 = 0u;
 const LIGHTS: u32 = 0u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -113,6 +115,7 @@ fn thePatternOfTheTilesOnThTexture(at: Surface) -> vec3f {
             at,
             noise(at, fbm(at, noise(at, 12.345678), 5u, 2.0, 0.5)),
             3.0,
+            0u,
             0.1,
             0.15,
             stripes(

@@ -3,12 +3,14 @@
 //
 //   objects   Sphere 0
 //   shapes    Sphere
-//   textures  Shift, Dots, Noise
+//   textures  Shift, Spots, Noise
 
 const OBJECT_SPHERE_0: u32 = 0u;
 const LIGHTS: u32 = 0u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -47,7 +49,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
 fn sphere0Material(at: Surface) -> Material {
     let at1 = shift(at, vec2f(0.5, 0.0));
     return matte(
-        dots(
+        spots(
             at1,
             noise(at1, 1.5),
             vec2f(2.0, -3.0),

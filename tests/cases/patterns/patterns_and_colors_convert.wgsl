@@ -9,6 +9,8 @@ const OBJECT_SPHERE_0: u32 = 0u;
 const LIGHTS: u32 = 0u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -65,6 +67,7 @@ fn sphere0Material(at: Surface) -> Material {
                     at,
                     4.0,
                     3.0,
+                    0u,
                     0.1,
                     0.15,
                     vec3f(0.3712377, 0.084376216, 0.04231141),

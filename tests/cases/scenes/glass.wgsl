@@ -12,6 +12,8 @@ const OBJECT_ROD: u32 = 3u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = true;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -86,6 +88,7 @@ fn wallMaterial(at: Surface) -> Material {
             at,
             2.0,
             3.0,
+            0u,
             0.1,
             0.15,
             vec3f(0.3712377, 0.084376216, 0.04231141),

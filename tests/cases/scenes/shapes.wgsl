@@ -21,6 +21,8 @@ const OBJECT_UPRIGHT: u32 = 11u;
 const LIGHTS: u32 = 2u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {

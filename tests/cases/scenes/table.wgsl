@@ -18,6 +18,8 @@ const OBJECT_LEG_4: u32 = 9u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {

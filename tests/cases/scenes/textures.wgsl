@@ -12,6 +12,8 @@ const OBJECT_SPHERE_3: u32 = 3u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -96,6 +98,7 @@ fn sphere2Material(at: Surface) -> Material {
             at,
             3.0,
             3.0,
+            0u,
             0.1,
             0.15,
             vec3f(0.3712377, 0.084376216, 0.04231141),
@@ -134,7 +137,7 @@ fn normalAt(object: u32, met: Placed) -> vec3f {
 fn heightAt(object: u32, at: Surface) -> f32 {
     switch object {
         case OBJECT_SPHERE_2: {
-            let height = luminance(brick(at, 3.0, 3.0, 0.1, 0.15, vec3f(1.0), vec3f(0.0)));
+            let height = luminance(brick(at, 3.0, 3.0, 0u, 0.1, 0.15, vec3f(1.0), vec3f(0.0)));
             return height * 0.05;
         }
         default: { return 0.0; }

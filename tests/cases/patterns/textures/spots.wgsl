@@ -6,9 +6,9 @@
 /// shift = 0, -8 to 8: cells by which every other row is moved
 /// inverted = false: whether dots and ground change places
 /// tint = (1, 1, 1, 1): factor of the dots' color, and their opacity
-/// dot = "tomato": color of the dots
+/// dot = "tomato": color of the spots
 /// ground = "#f2efe6": color around them
-fn dots(
+fn spots(
     at: Surface, size: f32, grid: vec2f, shape: u32, shift: i32, inverted: bool, tint: vec4f, dot_: vec3f, ground: vec3f,
 ) -> vec3f {
     let row = floor(at.uv.y * grid.y);

@@ -1,0 +1,118 @@
+//! `raytoy gallery`: a page with a picture of every texture and shape that scenes can name.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use image::ImageFormat;
+
+use super::render::{encoded, with_progress};
+use super::{Failure, Result, print_report, sample, write_output};
+use crate::compile;
+use crate::gpu::{self, AdapterChoice, Gpu, Moment};
+use crate::library::{Family, Function, Kind, Library, Parameter};
+use crate::sources::Sources;
+use crate::wgsl::Mode;
+
+const SIZE: [u32; 2] = [200, 150];
+const SAMPLES: u32 = 8;
+
+pub fn run(folder: &Path) -> Result {
+    let here = std::env::current_dir()?;
+    let sources = Sources::on_disk(&here);
+    let library = Library::new(&sources, &here.join("scenes"));
+    let gpu = Gpu::headless(&AdapterChoice::Fastest)?;
+    std::fs::create_dir_all(folder)?;
+    let mut page = String::from("# What scenes can name\n\nWritten by `raytoy gallery`.\n");
+    let mut wrong = 0;
+    for (family, title) in [(Family::Texture, "Textures and mappings"), (Family::Shape, "Shapes")] {
+        write!(page, "\n## {title}\n\n| | | |\n|---|---|---|\n")?;
+        let names = library.names(family);
+        with_progress(title, |progress| {
+            for (i, name) in names.iter().enumerate() {
+                match library.find(family, name) {
+                    Ok(function) => {
+                        draw(&gpu, &here, &function, folder)?;
+                        writeln!(page, "{}", row(&function))?;
+                    }
+                    Err(_) => wrong += 1,
+                }
+                progress((i + 1) as f32 / names.len() as f32);
+            }
+            Ok::<(), Failure>(())
+        })?;
+    }
+    write_output(&folder.join("README.md"), page.as_bytes())?;
+    eprintln!("The page is {}.", folder.join("README.md").display());
+    if wrong > 0 {
+        eprintln!("{wrong} files have mistakes: see `raytoy check`");
+        return Err(Failure::Scene);
+    }
+    Ok(())
+}
+
+fn draw(gpu: &Gpu, here: &Path, function: &Function, folder: &Path) -> Result {
+    let scene = here.join("scenes/-");
+    let sources = Sources::on_disk(here).with(&scene, &tile(function));
+    let outcome = compile(&sources, &scene, Mode::Baked, None);
+    let Some(compiled) = outcome.compiled else {
+        print_report(&outcome.report);
+        return Err(Failure::Scene);
+    };
+    let moment = Moment::of(&compiled.scene);
+    let picture = gpu::render(gpu, &compiled, &moment, SIZE, SAMPLES, &mut |_| ())?;
+    write_output(&folder.join(format!("{}.jpg", function.name)), &encoded(&picture, ImageFormat::Jpeg)?)
+}
+
+/// A texture on a ball, a block and a floor; a shape on a floor.
+fn tile(function: &Function) -> String {
+    let stage = r##"
+        background: Gradient(zenith: "#5d88c9", horizon: "#dfe9f5"), ambient: 0.2,
+        lights: [Point(position: (4, 6, 5), radius: 0.4)],"##;
+    if function.kind == Kind::Shape {
+        let shape = sample::call(function);
+        let shape = shape.strip_suffix(')').unwrap_or(&shape);
+        let comma = if shape.ends_with('(') { "" } else { ", " };
+        return format!(
+            r##"(camera: (eye: (2.6, 2.2, 4.4), target: (0, 0.1, 0), fov_deg: 34), {stage}
+                objects: [
+                    Plane(name: "floor", offset: -1.02, material: (color: Checker(even: 0.75, odd: 0.6))),
+                    {shape}{comma}name: "shape", material: (color: "#c96f4a", specular: 0.3)),
+                ])"##
+        );
+    }
+    let texture = sample::texture(function);
+    format!(
+        r#"(camera: (eye: (0.5, 2.8, 6), target: (0.1, 0.75, 0), fov_deg: 34), {stage}
+            materials: {{ "shown": (color: {texture}) }},
+            objects: [
+                Plane(material: "shown"),
+                Sphere(center: (-1.1, 1, 0), radius: 1, material: "shown"),
+                RoundedBox(min: (0.35, 0, -0.75), max: (1.85, 1.5, 0.75), radius: 0.03,
+                    rotate_deg: (0, 25, 0), material: "shown"),
+            ])"#
+    )
+}
+
+fn row(function: &Function) -> String {
+    let name = &function.name;
+    let parameters: Vec<String> = function.parameters.iter().map(parameter).collect();
+    format!(
+        "| ![{name}]({name}.jpg) | **{name}**, a {}<br>{} | {} |",
+        function.kind.noun(),
+        function.caption,
+        parameters.join("<br>")
+    )
+}
+
+fn parameter(parameter: &Parameter) -> String {
+    let default = match parameter.default {
+        Some(_) => format!(" = {}", parameter.default_text),
+        None => String::new(),
+    };
+    let range = parameter.range.map_or(String::new(), |(low, high)| format!(", {low} to {high}"));
+    let choices = match parameter.choices.is_empty() {
+        true => String::new(),
+        false => format!(" of {}", parameter.choices.join(", ")),
+    };
+    format!("`{}{default}{choices}{range}`: {}", parameter.name, parameter.doc)
+}

@@ -1,0 +1,74 @@
+//! A shape's file: either crossings with a ray and the surface there, or a distance and bounds.
+
+use std::ops::Range;
+
+use super::Family;
+use super::function::Traits;
+use super::header::{Declared, Header, Signature};
+use crate::diagnostic::Diagnostic;
+
+/// A shape whose docs have a line that starts so cannot be a part of another.
+const OPEN: &str = "encloses nothing";
+
+impl Header<'_> {
+    /// Whether the file gives a distance to the shape and leaves its crossings to raytoy.
+    pub fn is_distance(&self) -> bool {
+        self.signature(&self.wgsl_name).is_none() && self.distance_signature().is_some()
+    }
+
+    pub fn distance_signature(&self) -> Option<Signature<'_>> {
+        let is_shape = self.family == Family::Shape;
+        self.signature(&format!("{}Distance", self.wgsl_name)).filter(|_| is_shape)
+    }
+
+    /// What the file's other functions and its docs say of the shape, whose parameters are `own`.
+    pub fn shape_traits(
+        &self,
+        own: &[Declared<'_>],
+        docs: &[(&str, Range<usize>)],
+        problems: &mut Vec<Diagnostic>,
+    ) -> Traits {
+        let is_distance = self.is_distance();
+        let is_open = docs.iter().any(|(line, _)| line.starts_with(OPEN));
+        if is_distance {
+            self.sibling("Bounds", &[], own, "Bounds", "it holds the shape: rays march inside", problems);
+        }
+        let has_surface = !is_distance || self.signature(&format!("{}Surface", self.wgsl_name)).is_some();
+        if has_surface {
+            let gives = "it gives the outward normal and uv at a point of the surface";
+            self.sibling("Surface", &["p: vec3f"], own, "Surface", gives, problems);
+        }
+        let is_endless = self.signature(&format!("{}Contains", self.wgsl_name)).is_some();
+        if is_endless {
+            self.sibling("Contains", &["p: vec3f"], own, "bool", "it tells inside from outside", problems);
+        }
+        Traits { is_open, is_endless, is_distance, has_surface }
+    }
+
+    /// Reports that `nameSUFFIX` is missing, or takes something else than `first` and the shape's parameters.
+    fn sibling(
+        &self,
+        suffix: &str,
+        first: &[&str],
+        own: &[Declared<'_>],
+        returns: &str,
+        gives: &str,
+        problems: &mut Vec<Diagnostic>,
+    ) {
+        let name = format!("{}{suffix}", self.wgsl_name);
+        let expected: Vec<String> = own.iter().map(|d| format!("{}: {}", d.name, d.ty)).collect();
+        let signature = self.signature(&name);
+        let agrees = signature.as_ref().is_some_and(|(_, given, result)| {
+            let point = given.iter().take(first.len()).map(|d| d.ty).eq(first.iter().map(|_| "vec3f"));
+            let rest = given.iter().skip(first.len()).map(|d| format!("{}: {}", d.name, d.ty));
+            *result == returns && point && rest.eq(expected.iter().cloned())
+        });
+        if !agrees {
+            let parameters: Vec<&str> =
+                first.iter().copied().chain(expected.iter().map(String::as_str)).collect();
+            let message = format!("the shape lacks `fn {name}({}) -> {returns}`", parameters.join(", "));
+            let at = signature.map_or(0..0, |(start, ..)| start..start + 3 + name.len());
+            problems.push(Diagnostic::error(message).at(self.place(at), "").help(gives));
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! Solids made of solids: a function that follows a ray through the surfaces of the parts.
+
+use std::collections::BTreeMap;
+
+use super::Writer;
+use super::code::{Code, Lines};
+use super::names::Names;
+use super::objects::WrittenObject;
+use crate::ir::{Combination, Operation, Scene, Solid};
+
+/// A part as the function's local variable.
+struct Part {
+    /// Its next crossing.
+    name: String,
+    /// Whether that is the crossing in question.
+    turns: String,
+}
+
+/// The functions of the combinations, by the author's names for them.
+pub fn function_names(scene: &Scene, names: &mut Names) -> BTreeMap<String, String> {
+    let mut found = BTreeMap::new();
+    let mut open: Vec<&Solid> = scene.bodies.iter().rev().map(|body| &body.solid).collect();
+    while let Some(solid) = open.pop() {
+        let Solid::Combination(combination) = solid else { continue };
+        found.insert(combination.name.clone(), names.function(&combination.name, "Solid"));
+        open.extend(combination.parts.iter().rev());
+    }
+    found
+}
+
+impl Writer<'_> {
+    /// The functions of `solid` and of all its parts; nothing for a shape.
+    pub fn combinations(&self, solid: &Solid, objects: &[WrittenObject]) -> Lines {
+        let mut lines = Lines::default();
+        let Solid::Combination(combination) = solid else { return lines };
+        lines.extend(self.combination(combination, objects));
+        combination.parts.iter().for_each(|part| lines.extend(self.combinations(part, objects)));
+        lines
+    }
+
+    fn combination(&self, combination: &Combination, objects: &[WrittenObject]) -> Lines {
+        let parts = self.parts(combination);
+        let mut lines = Lines::default();
+        lines.push("");
+        let head = format!("\"{}\": ", combination.name);
+        lines.push(self.caption(0, &head, &combination.caption).replacen("//", "///", 1));
+        lines.push(format!("fn {}(ray: Ray) -> Crossing {{", self.combination_names[&combination.name]));
+        lines.push("    var rest = ray;");
+        parts.iter().for_each(|part| lines.push(format!("    var {} = notAsked();", part.name)));
+        lines.push("    for (var i = 0u; i < MOST_CROSSINGS; i++) {");
+        for (part, solid) in parts.iter().zip(&combination.parts) {
+            lines.push(format!("        if {}.t <= rest.t_min {{", part.name));
+            lines.extend(self.ask_part(&part.name, solid, objects));
+            lines.push("        }");
+        }
+        let nearest = parts.iter().map(|part| Code::atom(format!("{}.t", part.name)));
+        let nearest = nearest.reduce(|a, b| Code::call("min", [a, b])).expect("a combination has parts");
+        lines.statement(8, "let t = ", &nearest, ";");
+        lines.push("        if t >= NO_HIT { break; }");
+        lines.push("        rest.t_min = sameUpTo(t);");
+        for part in &parts {
+            lines.push(format!("        let {} = {}.t <= rest.t_min;", part.turns, part.name));
+        }
+        let operation = combination.operation;
+        let leaves = |p: &Part| format!("{}.leaves", p.name);
+        let outside = |p: &Part| format!("!{}.leaves", p.name);
+        lines.extend(inside("before", operation, &parts, leaves, outside));
+        let leaves = |p: &Part| format!("{}.leaves != {}", p.name, p.turns);
+        let outside = |p: &Part| format!("{}.leaves == {}", p.name, p.turns);
+        lines.extend(inside("behind", operation, &parts, leaves, outside));
+        lines.push("        if before != behind {");
+        let object = parts.iter().rev().map(|p| (Code::atom(format!("{}.object", p.name)), &p.turns));
+        let object = object.reduce(|(other, _), (own, turns)| {
+            (Code::call("select", [other, own, Code::atom(turns)]), turns)
+        });
+        let object = object.expect("a combination has parts").0;
+        let crossing = Code::call("Crossing", [Code::atom("t"), object, Code::atom("before")]);
+        lines.statement(12, "return ", &crossing, ";");
+        lines.push("        }");
+        lines.push("    }");
+        lines.push("    return Crossing(NO_HIT, NO_OBJECT, false);");
+        lines.push("}");
+        lines
+    }
+
+    fn parts(&self, combination: &Combination) -> Vec<Part> {
+        let mut names = Names::default();
+        let part = |solid: &Solid| {
+            let name = match solid {
+                Solid::Object(index) => &self.scene.objects[*index].name,
+                Solid::Combination(inner) => &inner.name,
+            };
+            let own = name.strip_prefix(&combination.name).unwrap_or(name);
+            Part { name: names.function(own, "Part"), turns: names.function(own, "Turns") }
+        };
+        combination.parts.iter().map(part).collect()
+    }
+
+    /// The next crossing of a part with the rest of the ray.
+    fn ask_part(&self, name: &str, solid: &Solid, objects: &[WrittenObject]) -> Lines {
+        let mut lines = Lines::default();
+        let index = match solid {
+            Solid::Combination(inner) => {
+                lines.push(format!("            {name} = {}(rest);", self.combination_names[&inner.name]));
+                return lines;
+            }
+            Solid::Object(index) => *index,
+        };
+        let written = &objects[index];
+        lines.statement(12, "let own = ", &written.local("rest"), ";");
+        let t = self.on_shape(index, "", Code::atom("own"), written);
+        lines.statement(12, "let t = ", &t, ";");
+        let surface = self.on_shape(index, "Surface", Code::atom("pointAt(own, t)"), written);
+        lines.statement(12, "let on = ", &surface, ";");
+        let object = &self.object_names[index];
+        lines.push(format!("            {name} = crossing(own, t, {object}, on.normal);"));
+        if self.scene.objects[index].shape.traits.is_endless {
+            let contains = self.on_shape(index, "Contains", Code::atom("pointBeyond(own)"), written);
+            lines.statement(12, &format!("if t >= NO_HIT {{ {name}.leaves = "), &contains, "; }");
+        }
+        lines
+    }
+}
+
+/// `let name = …`: whether a point is in the whole, by what is said of each part: `yes`, or `no` of those
+/// that are cut away.
+fn inside(
+    name: &str,
+    operation: Operation,
+    parts: &[Part],
+    yes: impl Fn(&Part) -> String,
+    no: impl Fn(&Part) -> String,
+) -> Lines {
+    let cut = |i: usize| operation == Operation::Difference && i > 0;
+    let terms = parts.iter().enumerate().map(|(i, part)| if cut(i) { no(part) } else { yes(part) });
+    let operator = if operation == Operation::Union { "||" } else { "&&" };
+    let mut lines = Lines::default();
+    lines.chain(8, &format!("let {name} = "), operator, &terms.collect::<Vec<_>>(), ";");
+    lines
+}

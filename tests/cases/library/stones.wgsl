@@ -1,0 +1,293 @@
+// Generated from tests/cases/library/stones.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   Sphere 0, Sphere 1, Sphere 2, Sphere 3, Sphere 4, Sphere 5, Sphere 6, Sphere 7,
+//             Sphere 8, Sphere 9, Sphere 10
+//   shapes    Sphere
+//   textures  Granite, Agate, Scratches, Rust, Starfield, Mandelbrot, Julia, Terrazzo, Leather,
+//             Camouflage, Lava
+
+const OBJECT_SPHERE_0: u32 = 0u;
+const OBJECT_SPHERE_1: u32 = 1u;
+const OBJECT_SPHERE_2: u32 = 2u;
+const OBJECT_SPHERE_3: u32 = 3u;
+const OBJECT_SPHERE_4: u32 = 4u;
+const OBJECT_SPHERE_5: u32 = 5u;
+const OBJECT_SPHERE_6: u32 = 6u;
+const OBJECT_SPHERE_7: u32 = 7u;
+const OBJECT_SPHERE_8: u32 = 8u;
+const OBJECT_SPHERE_9: u32 = 9u;
+const OBJECT_SPHERE_10: u32 = 10u;
+const LIGHTS: u32 = 0u;
+/// Whether any ray goes through a surface.
+const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = Hit(ray.t_max, NO_OBJECT);
+    // objects[0] "Sphere 0": Sphere(center: (0, 0, 0))
+    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_SPHERE_0);
+    // objects[1] "Sphere 1": Sphere(center: (2, 0, 0))
+    hit = nearer(hit, sphere(ray, vec3f(2.0, 0.0, 0.0), 1.0), OBJECT_SPHERE_1);
+    // objects[2] "Sphere 2": Sphere(center: (4, 0, 0))
+    hit = nearer(hit, sphere(ray, vec3f(4.0, 0.0, 0.0), 1.0), OBJECT_SPHERE_2);
+    // objects[3] "Sphere 3": Sphere(center: (6, 0, 0))
+    hit = nearer(hit, sphere(ray, vec3f(6.0, 0.0, 0.0), 1.0), OBJECT_SPHERE_3);
+    // objects[4] "Sphere 4": Sphere(center: (8, 0, 0))
+    hit = nearer(hit, sphere(ray, vec3f(8.0, 0.0, 0.0), 1.0), OBJECT_SPHERE_4);
+    // objects[5] "Sphere 5": Sphere(center: (0, 2, 0))
+    hit = nearer(hit, sphere(ray, vec3f(0.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_5);
+    // objects[6] "Sphere 6": Sphere(center: (2, 2, 0))
+    hit = nearer(hit, sphere(ray, vec3f(2.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_6);
+    // objects[7] "Sphere 7": Sphere(center: (4, 2, 0))
+    hit = nearer(hit, sphere(ray, vec3f(4.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_7);
+    // objects[8] "Sphere 8": Sphere(center: (6, 2, 0))
+    hit = nearer(hit, sphere(ray, vec3f(6.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_8);
+    // objects[9] "Sphere 9": Sphere(center: (8, 2, 0))
+    hit = nearer(hit, sphere(ray, vec3f(8.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_9);
+    // objects[10] "Sphere 10": Sphere(center: (0, 4, 0))
+    hit = nearer(hit, sphere(ray, vec3f(0.0, 4.0, 0.0), 1.0), OBJECT_SPHERE_10);
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(2.0, 0.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(4.0, 0.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(6.0, 0.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(8.0, 0.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(0.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(2.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(4.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(6.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(8.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(0.0, 4.0, 0.0), 1.0) < NO_HIT { return true; }
+    return false;
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_SPHERE_0: {
+            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+        }
+        case OBJECT_SPHERE_1: {
+            return placed(sphereSurface(p, vec3f(2.0, 0.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_2: {
+            return placed(sphereSurface(p, vec3f(4.0, 0.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_3: {
+            return placed(sphereSurface(p, vec3f(6.0, 0.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_4: {
+            return placed(sphereSurface(p, vec3f(8.0, 0.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_5: {
+            return placed(sphereSurface(p, vec3f(0.0, 2.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_6: {
+            return placed(sphereSurface(p, vec3f(2.0, 2.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_7: {
+            return placed(sphereSurface(p, vec3f(4.0, 2.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_8: {
+            return placed(sphereSurface(p, vec3f(6.0, 2.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_9: {
+            return placed(sphereSurface(p, vec3f(8.0, 2.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_10: {
+            return placed(sphereSurface(p, vec3f(0.0, 4.0, 0.0), 1.0));
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_SPHERE_0: { return sphere0Material(at); }
+        case OBJECT_SPHERE_1: { return sphere1Material(at); }
+        case OBJECT_SPHERE_2: { return sphere2Material(at); }
+        case OBJECT_SPHERE_3: { return sphere3Material(at); }
+        case OBJECT_SPHERE_4: { return sphere4Material(at); }
+        case OBJECT_SPHERE_5: { return sphere5Material(at); }
+        case OBJECT_SPHERE_6: { return sphere6Material(at); }
+        case OBJECT_SPHERE_7: { return sphere7Material(at); }
+        case OBJECT_SPHERE_8: { return sphere8Material(at); }
+        case OBJECT_SPHERE_9: { return sphere9Material(at); }
+        case OBJECT_SPHERE_10: { return sphere10Material(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn sphere0Material(at: Surface) -> Material {
+    return matte(
+        granite(
+            at,
+            12.0,
+            0.5,
+            0.48,
+            vec3f(0.5457245, 0.45078582, 0.36130682),
+            vec3f(0.25818288, 0.23455061, 0.21586053),
+            vec3f(0.033104766, 0.030713445, 0.029556835),
+        ),
+    );
+}
+
+fn sphere1Material(at: Surface) -> Material {
+    return matte(
+        agate(
+            at,
+            0.8,
+            11.0,
+            0.25,
+            vec3f(0.8631572, 0.76815116, 0.6444797),
+            vec3f(0.48514995, 0.13563333, 0.04231141),
+            vec3f(0.068478175, 0.023153368, 0.019382363),
+        ),
+    );
+}
+
+fn sphere2Material(at: Surface) -> Material {
+    return matte(vec3f(scratches(at, 4.0, 12u, 12.0, 0.025)));
+}
+
+fn sphere3Material(at: Surface) -> Material {
+    return matte(
+        rust(
+            at,
+            1.0,
+            0.4,
+            0.6,
+            0.5,
+            vec3f(0.11443538, 0.2269659, 0.19120169),
+            vec3f(0.39675525, 0.09989873, 0.024157634),
+            vec3f(0.07227185, 0.023153368, 0.012286489),
+        ),
+    );
+}
+
+fn sphere4Material(at: Surface) -> Material {
+    return matte(
+        starfield(
+            at,
+            12.0,
+            0.1,
+            3.0,
+            vec3f(0.001517635, 0.0021246888, 0.0047769537),
+            vec3f(1.0, 0.6938718, 0.3915725),
+            vec3f(0.55201143, 0.6795425, 1.0),
+        ),
+    );
+}
+
+fn sphere5Material(at: Surface) -> Material {
+    return matte(
+        mandelbrot(
+            at,
+            vec2f(-0.6, 0.0),
+            1.0,
+            100u,
+            0.15,
+            vec3f(0.008023193, 0.017641956, 0.049706567),
+            vec3f(0.6938718, 0.32314324, 0.07618539),
+            vec3f(0.8631572, 0.8148466, 0.71569353),
+            vec3f(0.004024717, 0.004024717, 0.0060488335),
+        ),
+    );
+}
+
+fn sphere6Material(at: Surface) -> Material {
+    return matte(
+        julia(
+            at,
+            vec2f(0.285, 0.01),
+            vec2f(0.0),
+            2.0,
+            120u,
+            0.06,
+            vec3f(0.8148466, 0.7605245, 0.65140563),
+            vec3f(0.049706567, 0.20507874, 0.2383976),
+            vec3f(0.023153368, 0.013702083, 0.046665087),
+            vec3f(0.0060488335, 0.004024717, 0.008023193),
+        ),
+    );
+}
+
+fn sphere7Material(at: Surface) -> Material {
+    return matte(
+        terrazzo(
+            at,
+            3.0,
+            0.7,
+            0.25,
+            vec3f(0.7758222, 0.7230551, 0.63075715),
+            vec3f(0.43415368, 0.13563333, 0.07227185),
+            vec3f(0.10946172, 0.16202939, 0.13843162),
+            vec3f(0.056128494, 0.06480327, 0.07421357),
+        ),
+    );
+}
+
+fn sphere8Material(at: Surface) -> Material {
+    return matte(vec3f(leather(at, 8.0, 0.4, 0.7, 0.3)));
+}
+
+fn sphere9Material(at: Surface) -> Material {
+    return matte(
+        camouflage(
+            at,
+            1.2,
+            0.4,
+            0.4,
+            vec3f(0.38642946, 0.32777813, 0.17144111),
+            vec3f(0.11443538, 0.14702727, 0.049706567),
+            vec3f(0.10461649, 0.059511244, 0.033104766),
+            vec3f(0.019382363, 0.020288564, 0.015996294),
+        ),
+    );
+}
+
+fn sphere10Material(at: Surface) -> Material {
+    return matte(
+        lava(
+            at,
+            1.2,
+            0.05,
+            3.0,
+            0.4,
+            vec3f(0.010960095, 0.008023193, 0.0069954107),
+            vec3f(0.5394795, 0.030713445, 0.0036765074),
+            vec3f(1.0, 0.6444797, 0.19461784),
+        ),
+    );
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    return met.normal;
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    return vec3f(0.0);
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.1);
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}

@@ -1,0 +1,351 @@
+// Generated from tests/cases/library/tilings.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   Sphere 0, Sphere 1, Sphere 2, Sphere 3, Sphere 4, Sphere 5, Sphere 6, Sphere 7,
+//             Sphere 8, Sphere 9, Sphere 10, Sphere 11, Sphere 12
+//   shapes    Sphere
+//   textures  Grid, Dots, Hexagon, Triangles, Weave, Truchet, Cairo, Scales, Herringbone,
+//             Pavement, Plaid, Brick
+
+const OBJECT_SPHERE_0: u32 = 0u;
+const OBJECT_SPHERE_1: u32 = 1u;
+const OBJECT_SPHERE_2: u32 = 2u;
+const OBJECT_SPHERE_3: u32 = 3u;
+const OBJECT_SPHERE_4: u32 = 4u;
+const OBJECT_SPHERE_5: u32 = 5u;
+const OBJECT_SPHERE_6: u32 = 6u;
+const OBJECT_SPHERE_7: u32 = 7u;
+const OBJECT_SPHERE_8: u32 = 8u;
+const OBJECT_SPHERE_9: u32 = 9u;
+const OBJECT_SPHERE_10: u32 = 10u;
+const OBJECT_SPHERE_11: u32 = 11u;
+const OBJECT_SPHERE_12: u32 = 12u;
+const LIGHTS: u32 = 0u;
+/// Whether any ray goes through a surface.
+const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = Hit(ray.t_max, NO_OBJECT);
+    // objects[0] "Sphere 0": Sphere(center: (0, 0, 0))
+    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_SPHERE_0);
+    // objects[1] "Sphere 1": Sphere(center: (2, 0, 0))
+    hit = nearer(hit, sphere(ray, vec3f(2.0, 0.0, 0.0), 1.0), OBJECT_SPHERE_1);
+    // objects[2] "Sphere 2": Sphere(center: (4, 0, 0))
+    hit = nearer(hit, sphere(ray, vec3f(4.0, 0.0, 0.0), 1.0), OBJECT_SPHERE_2);
+    // objects[3] "Sphere 3": Sphere(center: (6, 0, 0))
+    hit = nearer(hit, sphere(ray, vec3f(6.0, 0.0, 0.0), 1.0), OBJECT_SPHERE_3);
+    // objects[4] "Sphere 4": Sphere(center: (8, 0, 0))
+    hit = nearer(hit, sphere(ray, vec3f(8.0, 0.0, 0.0), 1.0), OBJECT_SPHERE_4);
+    // objects[5] "Sphere 5": Sphere(center: (0, 2, 0))
+    hit = nearer(hit, sphere(ray, vec3f(0.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_5);
+    // objects[6] "Sphere 6": Sphere(center: (2, 2, 0))
+    hit = nearer(hit, sphere(ray, vec3f(2.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_6);
+    // objects[7] "Sphere 7": Sphere(center: (4, 2, 0))
+    hit = nearer(hit, sphere(ray, vec3f(4.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_7);
+    // objects[8] "Sphere 8": Sphere(center: (6, 2, 0))
+    hit = nearer(hit, sphere(ray, vec3f(6.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_8);
+    // objects[9] "Sphere 9": Sphere(center: (8, 2, 0))
+    hit = nearer(hit, sphere(ray, vec3f(8.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_9);
+    // objects[10] "Sphere 10": Sphere(center: (0, 4, 0))
+    hit = nearer(hit, sphere(ray, vec3f(0.0, 4.0, 0.0), 1.0), OBJECT_SPHERE_10);
+    // objects[11] "Sphere 11": Sphere(center: (2, 4, 0))
+    hit = nearer(hit, sphere(ray, vec3f(2.0, 4.0, 0.0), 1.0), OBJECT_SPHERE_11);
+    // objects[12] "Sphere 12": Sphere(center: (4, 4, 0))
+    hit = nearer(hit, sphere(ray, vec3f(4.0, 4.0, 0.0), 1.0), OBJECT_SPHERE_12);
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(2.0, 0.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(4.0, 0.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(6.0, 0.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(8.0, 0.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(0.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(2.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(4.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(6.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(8.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(0.0, 4.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(2.0, 4.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(4.0, 4.0, 0.0), 1.0) < NO_HIT { return true; }
+    return false;
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_SPHERE_0: {
+            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+        }
+        case OBJECT_SPHERE_1: {
+            return placed(sphereSurface(p, vec3f(2.0, 0.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_2: {
+            return placed(sphereSurface(p, vec3f(4.0, 0.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_3: {
+            return placed(sphereSurface(p, vec3f(6.0, 0.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_4: {
+            return placed(sphereSurface(p, vec3f(8.0, 0.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_5: {
+            return placed(sphereSurface(p, vec3f(0.0, 2.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_6: {
+            return placed(sphereSurface(p, vec3f(2.0, 2.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_7: {
+            return placed(sphereSurface(p, vec3f(4.0, 2.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_8: {
+            return placed(sphereSurface(p, vec3f(6.0, 2.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_9: {
+            return placed(sphereSurface(p, vec3f(8.0, 2.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_10: {
+            return placed(sphereSurface(p, vec3f(0.0, 4.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_11: {
+            return placed(sphereSurface(p, vec3f(2.0, 4.0, 0.0), 1.0));
+        }
+        case OBJECT_SPHERE_12: {
+            return placed(sphereSurface(p, vec3f(4.0, 4.0, 0.0), 1.0));
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_SPHERE_0: { return sphere0Material(at); }
+        case OBJECT_SPHERE_1: { return sphere1Material(at); }
+        case OBJECT_SPHERE_2: { return sphere2Material(at); }
+        case OBJECT_SPHERE_3: { return sphere3Material(at); }
+        case OBJECT_SPHERE_4: { return sphere4Material(at); }
+        case OBJECT_SPHERE_5: { return sphere5Material(at); }
+        case OBJECT_SPHERE_6: { return sphere6Material(at); }
+        case OBJECT_SPHERE_7: { return sphere7Material(at); }
+        case OBJECT_SPHERE_8: { return sphere8Material(at); }
+        case OBJECT_SPHERE_9: { return sphere9Material(at); }
+        case OBJECT_SPHERE_10: { return sphere10Material(at); }
+        case OBJECT_SPHERE_11: { return sphere11Material(at); }
+        case OBJECT_SPHERE_12: { return sphere12Material(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn sphere0Material(at: Surface) -> Material {
+    return matte(
+        grid(
+            at,
+            2.0,
+            0.06,
+            5u,
+            0.12,
+            vec3f(0.049706567, 0.15896083, 0.27467734),
+            vec3f(0.8796224, 0.8468732, 0.7605245),
+        ),
+    );
+}
+
+fn sphere1Material(at: Surface) -> Material {
+    return matte(
+        dots(
+            at,
+            2.0,
+            0.3,
+            0.0,
+            1u,
+            vec3f(0.46207702, 0.06480327, 0.04231141),
+            vec3f(0.8631572, 0.791298, 0.66538733),
+        ),
+    );
+}
+
+fn sphere2Material(at: Surface) -> Material {
+    return matte(
+        hexagon(
+            at,
+            2.0,
+            0.06,
+            3u,
+            vec3f(0.791298, 0.73791045, 0.62396044),
+            vec3f(0.20507874, 0.32314324, 0.2622507),
+            vec3f(0.033104766, 0.08021983, 0.10224174),
+            vec3f(0.5394795, 0.4793202, 0.38132605),
+        ),
+    );
+}
+
+fn sphere3Material(at: Surface) -> Material {
+    return matte(
+        triangles(
+            at,
+            1.5,
+            0.03,
+            vec3f(0.6866853, 0.36130682, 0.068478175),
+            vec3f(0.0703601, 0.107023105, 0.14702727),
+            vec3f(0.8631572, 0.8148466, 0.71569353),
+        ),
+    );
+}
+
+fn sphere4Material(at: Surface) -> Material {
+    return matte(
+        weave(
+            at,
+            3.0,
+            0.86,
+            0.7,
+            vec3f(0.39675525, 0.1651322, 0.045186203),
+            vec3f(0.71569353, 0.496933, 0.23074007),
+            vec3f(0.025186861, 0.014443845, 0.009134059),
+        ),
+    );
+}
+
+fn sphere5Material(at: Surface) -> Material {
+    return matte(
+        truchet(
+            at,
+            2.0,
+            0.14,
+            0u,
+            vec3f(0.8962694, 0.838799, 0.71569353),
+            vec3f(0.025186861, 0.086500466, 0.12743768),
+            vec3f(0.57758045, 0.18782078, 0.10224174),
+        ),
+    );
+}
+
+fn sphere6Material(at: Surface) -> Material {
+    return matte(
+        cairo(
+            at,
+            2.0,
+            0.05,
+            0.35,
+            vec3f(0.6444797, 0.45641103, 0.25415212),
+            vec3f(0.14702727, 0.122138776, 0.09530747),
+        ),
+    );
+}
+
+fn sphere7Material(at: Surface) -> Material {
+    return matte(
+        scales(
+            at,
+            3.0,
+            0.5,
+            0.06,
+            0.3,
+            vec3f(0.5457245, 0.73046076, 0.55201143),
+            vec3f(0.033104766, 0.19461784, 0.20507874),
+            vec3f(0.008568126, 0.046665087, 0.057805438),
+        ),
+    );
+}
+
+fn sphere8Material(at: Surface) -> Material {
+    return matte(
+        herringbone(
+            at,
+            3.0,
+            4u,
+            0.05,
+            0.5,
+            vec3f(0.5149177, 0.23455061, 0.066625945),
+            vec3f(0.04231141, 0.019382363, 0.008023193),
+        ),
+    );
+}
+
+fn sphere9Material(at: Surface) -> Material {
+    return matte(
+        pavement(
+            at,
+            2.0,
+            0.29,
+            0.06,
+            vec3f(0.7835378, 0.73791045, 0.6375969),
+            vec3f(0.035601314, 0.04373503, 0.051269464),
+            vec3f(0.32314324, 0.28314877, 0.23074007),
+        ),
+    );
+}
+
+fn sphere10Material(at: Surface) -> Material {
+    return matte(
+        plaid(
+            at,
+            1.0,
+            80.0,
+            0.7,
+            vec3f(0.02842604, 0.068478175, 0.045186203),
+            vec3f(0.012286489, 0.023153368, 0.068478175),
+            vec3f(0.33245155, 0.02842604, 0.025186861),
+            vec3f(0.7605245, 0.55834043, 0.14412847),
+        ),
+    );
+}
+
+fn sphere11Material(at: Surface) -> Material {
+    return matte(
+        brick(
+            at,
+            4.0,
+            3.0,
+            1u,
+            0.1,
+            0.15,
+            vec3f(0.3712377, 0.084376216, 0.04231141),
+            vec3f(0.62396044, 0.57112485, 0.4910209),
+        ),
+    );
+}
+
+fn sphere12Material(at: Surface) -> Material {
+    return matte(
+        brick(
+            at,
+            4.0,
+            3.0,
+            2u,
+            0.1,
+            0.15,
+            vec3f(0.3712377, 0.084376216, 0.04231141),
+            vec3f(0.62396044, 0.57112485, 0.4910209),
+        ),
+    );
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    return met.normal;
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    return vec3f(0.0);
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.1);
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}

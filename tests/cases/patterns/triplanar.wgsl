@@ -1,0 +1,201 @@
+// Generated from tests/cases/patterns/triplanar.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   Plane 0, ball, ring
+//   shapes    Plane, Sphere, Torus
+//   textures  Rotate, Dots, Brick
+
+const OBJECT_PLANE_0: u32 = 0u;
+const OBJECT_BALL: u32 = 1u;
+const OBJECT_RING: u32 = 2u;
+const LIGHTS: u32 = 1u;
+/// Whether any ray goes through a surface.
+const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = Hit(ray.t_max, NO_OBJECT);
+    // objects[0] "Plane 0": Plane(offset: -1)
+    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), -1.0), OBJECT_PLANE_0);
+    // objects[1] "ball": Sphere()
+    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_BALL);
+    // objects[2] "ring": Torus(translate: (0, 0, 2))
+    hit = nearer(
+        hit,
+        torus(
+            rayInto(
+                Space(
+                    vec4f(1.0, 0.0, 0.0, 0.0),
+                    vec4f(0.0, 1.0, 0.0, 0.0),
+                    vec4f(0.0, 0.0, 1.0, -2.0),
+                ),
+                ray,
+            ),
+            vec3f(0.0),
+            vec3f(0.0, 1.0, 0.0),
+            1.0,
+            0.25,
+        ),
+        OBJECT_RING,
+    );
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if plane(ray, vec3f(0.0, 1.0, 0.0), -1.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
+    if torus(
+        rayInto(
+            Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, -2.0)),
+            ray,
+        ),
+        vec3f(0.0),
+        vec3f(0.0, 1.0, 0.0),
+        1.0,
+        0.25,
+    ) < NO_HIT { return true; }
+    return false;
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_PLANE_0: {
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), -1.0));
+        }
+        case OBJECT_BALL: {
+            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+        }
+        case OBJECT_RING: {
+            let space = Space(
+                vec4f(1.0, 0.0, 0.0, 0.0),
+                vec4f(0.0, 1.0, 0.0, 0.0),
+                vec4f(0.0, 0.0, 1.0, -2.0),
+            );
+            return placedFrom(
+                space,
+                torusSurface(pointInto(space, p), vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25),
+                p,
+            );
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_PLANE_0: { return plane0Material(at); }
+        case OBJECT_BALL: { return ballMaterial(at); }
+        case OBJECT_RING: { return ringMaterial(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn plane0Material(at: Surface) -> Material {
+    return matte(vec3f(0.8));
+}
+
+fn ballMaterial(at: Surface) -> Material {
+    var sides1 = vec3f(0.0);
+    for (var side = 0u; side < 3u; side++) {
+        let at2 = sideOf(at, side);
+        let side_color3 = bricksTexture(at2);
+        sides1 += side_color3 * sideShare(at, side, 8.0);
+    }
+    return matte(sides1);
+}
+
+fn ringMaterial(at: Surface) -> Material {
+    let at1 = rotate(at, vec3f(0.0, 30.0, 0.0));
+    var sides2 = vec3f(0.0);
+    for (var side = 0u; side < 3u; side++) {
+        let at3 = sideOf(at1, side);
+        let by4 = luminance(
+            dots(
+                at3,
+                2.0,
+                0.3,
+                0.0,
+                1u,
+                vec3f(0.46207702, 0.06480327, 0.04231141),
+                vec3f(0.8631572, 0.791298, 0.66538733),
+            ),
+        );
+        var ramp5 = vec3f(0.015996294, 0.033104766, 0.057805438);
+        ramp5 = mix(ramp5, vec3f(1.0, 0.6795425, 0.0), rampStep(0.0, 1.0, by4));
+        let side_color6 = ramp5;
+        sides2 += side_color6 * sideShare(at1, side, 4.0);
+    }
+    return matte(sides2);
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    switch object {
+        case OBJECT_RING: { return bumpedNormal(object, met); }
+        default: { return met.normal; }
+    }
+}
+
+/// The height of `object` over its surface at `at`, scene units.
+fn heightAt(object: u32, at: Surface) -> f32 {
+    switch object {
+        case OBJECT_RING: {
+            var sides1 = vec3f(0.0);
+            for (var side = 0u; side < 3u; side++) {
+                let at2 = sideOf(at, side);
+                let side_color3 = dots(
+                    at2,
+                    2.0,
+                    0.3,
+                    0.0,
+                    1u,
+                    vec3f(0.46207702, 0.06480327, 0.04231141),
+                    vec3f(0.8631572, 0.791298, 0.66538733),
+                );
+                sides1 += side_color3 * sideShare(at, side, 4.0);
+            }
+            let height = luminance(sides1);
+            return height * 0.1;
+        }
+        default: { return 0.0; }
+    }
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    return vec3f(0.0);
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.1);
+}
+
+/// textures: "bricks"
+fn bricksTexture(at: Surface) -> vec3f {
+    return brick(
+        at,
+        3.0,
+        3.0,
+        0u,
+        0.1,
+        0.15,
+        vec3f(0.3712377, 0.084376216, 0.04231141),
+        vec3f(0.62396044, 0.57112485, 0.4910209),
+    );
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        // lights[0]: Point(position: (4, 6, 5))
+        case 0u: { return pointLight(p, vec3f(4.0, 6.0, 5.0), 0.0, vec3f(1.0)); }
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}

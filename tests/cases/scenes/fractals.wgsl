@@ -1,0 +1,378 @@
+// Generated from scenes/fractals.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   ground, sponge, bulb, gyroid, bitten SmoothBalls 0, bite
+//   shapes    Plane, MengerSponge, Mandelbulb, Gyroid, SmoothBalls
+//   textures  Hexagon, ScaleBy, Clouds
+
+const OBJECT_GROUND: u32 = 0u;
+const OBJECT_SPONGE: u32 = 1u;
+const OBJECT_BULB: u32 = 2u;
+const OBJECT_GYROID: u32 = 3u;
+const OBJECT_BITTEN_SMOOTHBALLS_0: u32 = 4u;
+const OBJECT_BITE: u32 = 5u;
+const LIGHTS: u32 = 1u;
+/// Whether any ray goes through a surface.
+const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = Hit(ray.t_max, NO_OBJECT);
+    // objects[0] "ground": Plane()
+    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_GROUND);
+    // objects[1] "sponge": MengerSponge(center: (-1.55, 0.86, -0.4), size: 1.7, rotate_deg: (0, 18…
+    hit = nearer(
+        hit,
+        mengerSponge(
+            rayInto(
+                Space(
+                    vec4f(0.95105654, 0.0, -0.309017, 0.0),
+                    vec4f(0.0, 1.0, 0.0, 0.0),
+                    vec4f(0.309017, 0.0, 0.95105654, 0.0),
+                ),
+                ray,
+            ),
+            vec3f(-1.55, 0.86, -0.4),
+            1.7,
+            3u,
+        ),
+        OBJECT_SPONGE,
+    );
+    // objects[2] "bulb": Mandelbulb(center: (0.75, 0.95, -1.3), size: 1.05)
+    hit = nearer(hit, mandelbulb(ray, vec3f(0.75, 0.95, -1.3), 1.05, 8.0, 5u), OBJECT_BULB);
+    // objects[3] "gyroid": Gyroid(center: (0.35, 0.6, 1.2), radius: 0.6, period: 0.62, thickness: …
+    hit = nearer(hit, gyroid(ray, vec3f(0.35, 0.6, 1.2), 0.6, 0.62, 0.05), OBJECT_GYROID);
+    // "bitten": Difference(translate: (2.1, 0.6, 0.2))
+    hit = nearerCrossing(hit, bittenSolid(ray));
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
+    if mengerSponge(
+        rayInto(
+            Space(
+                vec4f(0.95105654, 0.0, -0.309017, 0.0),
+                vec4f(0.0, 1.0, 0.0, 0.0),
+                vec4f(0.309017, 0.0, 0.95105654, 0.0),
+            ),
+            ray,
+        ),
+        vec3f(-1.55, 0.86, -0.4),
+        1.7,
+        3u,
+    ) < NO_HIT { return true; }
+    if mandelbulb(ray, vec3f(0.75, 0.95, -1.3), 1.05, 8.0, 5u) < NO_HIT { return true; }
+    if gyroid(ray, vec3f(0.35, 0.6, 1.2), 0.6, 0.62, 0.05) < NO_HIT { return true; }
+    if bittenSolid(ray).t < NO_HIT { return true; }
+    return false;
+}
+
+/// "bitten": Difference(translate: (2.1, 0.6, 0.2))
+fn bittenSolid(ray: Ray) -> Crossing {
+    var rest = ray;
+    var smoothBalls0Part = notAsked();
+    var bitePart = notAsked();
+    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+        if smoothBalls0Part.t <= rest.t_min {
+            let own = rayInto(
+                Space(
+                    vec4f(1.0, 0.0, 0.0, -2.1),
+                    vec4f(0.0, 1.0, 0.0, -0.6),
+                    vec4f(0.0, 0.0, 1.0, -0.2),
+                ),
+                rest,
+            );
+            let t = smoothBalls(own, vec3f(-0.3, 0.0, 0.0), vec3f(0.45, 0.2, 0.0), 0.6, 0.42, 0.4);
+            let on = smoothBallsSurface(
+                pointAt(own, t),
+                vec3f(-0.3, 0.0, 0.0),
+                vec3f(0.45, 0.2, 0.0),
+                0.6,
+                0.42,
+                0.4,
+            );
+            smoothBalls0Part = crossing(own, t, OBJECT_BITTEN_SMOOTHBALLS_0, on.normal);
+        }
+        if bitePart.t <= rest.t_min {
+            let own = rayInto(
+                Space(
+                    vec4f(1.0, 0.0, 0.0, -2.1),
+                    vec4f(0.0, 1.0, 0.0, -0.6),
+                    vec4f(0.0, 0.0, 1.0, -0.2),
+                ),
+                rest,
+            );
+            let t = mengerSponge(own, vec3f(0.2, 0.5, 0.5), 1.0, 2u);
+            let on = mengerSpongeSurface(pointAt(own, t), vec3f(0.2, 0.5, 0.5), 1.0, 2u);
+            bitePart = crossing(own, t, OBJECT_BITE, on.normal);
+        }
+        let t = min(smoothBalls0Part.t, bitePart.t);
+        if t >= NO_HIT { break; }
+        rest.t_min = sameUpTo(t);
+        let smoothBalls0Turns = smoothBalls0Part.t <= rest.t_min;
+        let biteTurns = bitePart.t <= rest.t_min;
+        let before = smoothBalls0Part.leaves && !bitePart.leaves;
+        let behind = smoothBalls0Part.leaves != smoothBalls0Turns && bitePart.leaves == biteTurns;
+        if before != behind {
+            return Crossing(
+                t,
+                select(bitePart.object, smoothBalls0Part.object, smoothBalls0Turns),
+                before,
+            );
+        }
+    }
+    return Crossing(NO_HIT, NO_OBJECT, false);
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_GROUND: {
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+        }
+        case OBJECT_SPONGE: {
+            let space = Space(
+                vec4f(0.95105654, 0.0, -0.309017, 0.0),
+                vec4f(0.0, 1.0, 0.0, 0.0),
+                vec4f(0.309017, 0.0, 0.95105654, 0.0),
+            );
+            return placedFrom(
+                space,
+                mengerSpongeSurface(pointInto(space, p), vec3f(-1.55, 0.86, -0.4), 1.7, 3u),
+                p,
+            );
+        }
+        case OBJECT_BULB: {
+            return placed(mandelbulbSurface(p, vec3f(0.75, 0.95, -1.3), 1.05, 8.0, 5u));
+        }
+        case OBJECT_GYROID: {
+            return placed(gyroidSurface(p, vec3f(0.35, 0.6, 1.2), 0.6, 0.62, 0.05));
+        }
+        case OBJECT_BITTEN_SMOOTHBALLS_0: {
+            let space = Space(
+                vec4f(1.0, 0.0, 0.0, -2.1),
+                vec4f(0.0, 1.0, 0.0, -0.6),
+                vec4f(0.0, 0.0, 1.0, -0.2),
+            );
+            return placedFrom(
+                space,
+                smoothBallsSurface(
+                    pointInto(space, p),
+                    vec3f(-0.3, 0.0, 0.0),
+                    vec3f(0.45, 0.2, 0.0),
+                    0.6,
+                    0.42,
+                    0.4,
+                ),
+                p,
+            );
+        }
+        case OBJECT_BITE: {
+            let space = Space(
+                vec4f(1.0, 0.0, 0.0, -2.1),
+                vec4f(0.0, 1.0, 0.0, -0.6),
+                vec4f(0.0, 0.0, 1.0, -0.2),
+            );
+            return placedFrom(
+                space,
+                inverted(mengerSpongeSurface(pointInto(space, p), vec3f(0.2, 0.5, 0.5), 1.0, 2u)),
+                p,
+            );
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// Where `ray` first changes sides of mengerSpongeDistance.
+fn mengerSponge(ray: Ray, center: vec3f, size: f32, levels: u32) -> f32 {
+    var march = marchFrom(ray, mengerSpongeBounds(center, size, levels));
+    for (var i = 0u; march.t < march.end && i < MARCH_STEPS; i++) {
+        let p = ray.origin + march.t * ray.direction;
+        if !marches(&march, mengerSpongeDistance(p, center, size, levels)) { break; }
+    }
+    return marched(ray, march);
+}
+
+fn mengerSpongeSurface(p: vec3f, center: vec3f, size: f32, levels: u32) -> Surface {
+    let step = normalStep(mengerSpongeBounds(center, size, levels));
+    var slope = vec3f(0.0, 1e-20, 0.0);
+    for (var i = 0u; i < 4u; i++) {
+        let corner = tetrahedronCorner(i);
+        slope += corner * mengerSpongeDistance(p + step * corner, center, size, levels);
+    }
+    let normal = normalize(slope);
+    return surface(p, normal, p * flatTangents(normal));
+}
+
+/// Where `ray` first changes sides of mandelbulbDistance.
+fn mandelbulb(ray: Ray, center: vec3f, size: f32, power: f32, iterations: u32) -> f32 {
+    var march = marchFrom(ray, mandelbulbBounds(center, size, power, iterations));
+    for (var i = 0u; march.t < march.end && i < MARCH_STEPS; i++) {
+        let p = ray.origin + march.t * ray.direction;
+        if !marches(&march, mandelbulbDistance(p, center, size, power, iterations)) { break; }
+    }
+    return marched(ray, march);
+}
+
+fn mandelbulbSurface(p: vec3f, center: vec3f, size: f32, power: f32, iterations: u32) -> Surface {
+    let step = normalStep(mandelbulbBounds(center, size, power, iterations));
+    var slope = vec3f(0.0, 1e-20, 0.0);
+    for (var i = 0u; i < 4u; i++) {
+        let corner = tetrahedronCorner(i);
+        slope += corner * mandelbulbDistance(p + step * corner, center, size, power, iterations);
+    }
+    let normal = normalize(slope);
+    return surface(p, normal, p * flatTangents(normal));
+}
+
+/// Where `ray` first changes sides of gyroidDistance.
+fn gyroid(ray: Ray, center: vec3f, radius: f32, period: f32, thickness: f32) -> f32 {
+    var march = marchFrom(ray, gyroidBounds(center, radius, period, thickness));
+    for (var i = 0u; march.t < march.end && i < MARCH_STEPS; i++) {
+        let p = ray.origin + march.t * ray.direction;
+        if !marches(&march, gyroidDistance(p, center, radius, period, thickness)) { break; }
+    }
+    return marched(ray, march);
+}
+
+fn gyroidSurface(p: vec3f, center: vec3f, radius: f32, period: f32, thickness: f32) -> Surface {
+    let step = normalStep(gyroidBounds(center, radius, period, thickness));
+    var slope = vec3f(0.0, 1e-20, 0.0);
+    for (var i = 0u; i < 4u; i++) {
+        let corner = tetrahedronCorner(i);
+        slope += corner * gyroidDistance(p + step * corner, center, radius, period, thickness);
+    }
+    let normal = normalize(slope);
+    return surface(p, normal, p * flatTangents(normal));
+}
+
+/// Where `ray` first changes sides of smoothBallsDistance.
+fn smoothBalls(ray: Ray, a: vec3f, b: vec3f, radius_a: f32, radius_b: f32, blend: f32) -> f32 {
+    var march = marchFrom(ray, smoothBallsBounds(a, b, radius_a, radius_b, blend));
+    for (var i = 0u; march.t < march.end && i < MARCH_STEPS; i++) {
+        let p = ray.origin + march.t * ray.direction;
+        if !marches(&march, smoothBallsDistance(p, a, b, radius_a, radius_b, blend)) { break; }
+    }
+    return marched(ray, march);
+}
+
+fn smoothBallsSurface(
+    p: vec3f,
+    a: vec3f,
+    b: vec3f,
+    radius_a: f32,
+    radius_b: f32,
+    blend: f32,
+) -> Surface {
+    let step = normalStep(smoothBallsBounds(a, b, radius_a, radius_b, blend));
+    var slope = vec3f(0.0, 1e-20, 0.0);
+    for (var i = 0u; i < 4u; i++) {
+        let corner = tetrahedronCorner(i);
+        slope += corner * smoothBallsDistance(p + step * corner, a, b, radius_a, radius_b, blend);
+    }
+    let normal = normalize(slope);
+    return surface(p, normal, p * flatTangents(normal));
+}
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_GROUND: { return groundMaterial(at); }
+        case OBJECT_SPONGE: { return spongeMaterial(at); }
+        case OBJECT_BULB: { return bulbMaterial(at); }
+        case OBJECT_GYROID: { return gyroidMaterial(at); }
+        case OBJECT_BITTEN_SMOOTHBALLS_0: { return bittenMaterial(at); }
+        case OBJECT_BITE: { return biteMaterial(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn groundMaterial(at: Surface) -> Material {
+    var material = matte(
+        hexagon(
+            at,
+            2.0,
+            0.06,
+            3u,
+            vec3f(0.791298, 0.73791045, 0.62396044),
+            vec3f(0.20507874, 0.32314324, 0.2622507),
+            vec3f(0.033104766, 0.08021983, 0.10224174),
+            vec3f(0.5394795, 0.4793202, 0.38132605),
+        ),
+    );
+    material.reflectivity = 0.05;
+    material.fresnel = 5.0;
+    return material;
+}
+
+fn spongeMaterial(at: Surface) -> Material {
+    var material = matte(vec3f(0.6866853, 0.36130682, 0.068478175));
+    material.specular = 0.2;
+    return material;
+}
+
+fn bulbMaterial(at: Surface) -> Material {
+    var material = matte(vec3f(0.48514995, 0.09530747, 0.068478175));
+    material.specular = 0.3;
+    return material;
+}
+
+fn gyroidMaterial(at: Surface) -> Material {
+    var material = matte(vec3f(0.068478175, 0.2383976, 0.3915725));
+    material.specular = 0.5;
+    return material;
+}
+
+fn bittenMaterial(at: Surface) -> Material {
+    var material = matte(vec3f(0.19461784, 0.32314324, 0.09530747));
+    material.specular = 0.4;
+    return material;
+}
+
+fn biteMaterial(at: Surface) -> Material {
+    return matte(vec3f(0.8796224, 0.7758222, 0.5457245));
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    return met.normal;
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    let at = skyPoint(direction);
+    let at1 = scaleBy(at, vec3f(0.4));
+    return clouds(
+        at1,
+        0.8,
+        5u,
+        0.5,
+        0.5,
+        vec3f(0.10946172, 0.24620135, 0.58407843),
+        vec3f(0.9646863, 0.9559733, 0.9301109),
+        vec3f(0.5457245, 0.60382736, 0.6866853),
+    );
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.22);
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        // lights[0]: Directional(direction: (-1.2, -2, -1.1), color: "#fff2dc", intensity: 0.9)
+        case 0u: { return directionalLight(
+            vec3f(-0.46534005, -0.7755667, -0.42656168),
+            0.0,
+            vec3f(0.9, 0.7991308, 0.64412415),
+        ); }
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}
