@@ -32,7 +32,7 @@ fn brick(
     let column = floor(along + f32(turn) / courses);
     let tone = tenBits(cellCorners(vec3f(column, course, 0.0)).near, 10u).x;
     let fired = clay * (1.0 + variation * tone * (1.0 - smoothstep(0.5, 2.0, width)));
-    // Far from the origin, rounding may let courses overlap.
-    let solid = min(share, 1.0);
+    // Far from the origin, rounding may let a third of a period overlap the next.
+    let solid = select(share, min(share, 1.0), period == 3);
     return fired * solid + joint * (1.0 - solid);
 }

@@ -1,8 +1,8 @@
-/// Hexagonal tiles in up to three colors, never two of a kind side by side, with joints between.
+/// Hexagonal tiles in three colors by turns, so that no two of a kind meet, with joints between.
 ///
 /// scale = 2, 0.01 to 100: tiles per scene unit
 /// gap = 0.06, 0 to 0.9: width of a joint, as a share of a tile; wide ones make a honeycomb
-/// colors = 3, 1 to 3: how many of the colors are in use; with two, `first` is strewn among `second`
+/// colors = 3, 1 to 3: how many of the colors are in use; with two, `first` lies strewn among `second`
 /// first = "#e6dfcf": color of every third tile
 /// second = "#7d9a8c": color of the next
 /// third = "#33505a": color of the last
