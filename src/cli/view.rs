@@ -8,6 +8,8 @@ pub fn run(options: &ViewOptions) -> Result {
     if !options.scene.exists() {
         return Err(Failure::Call(format!("there is no file `{}`", options.scene.display())));
     }
+    // SAFETY: the program has one thread until the window opens.
+    unsafe { crate::gpu::prefer_quick_compiles() };
     let on_event = |event: &app::Event| {
         if options.events {
             println!("{}", serde_json::to_string(event).expect("numbers and strings"));

@@ -51,6 +51,19 @@ impl std::error::Error for GpuError {}
 /// A device that has not answered for this long will not.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// Asks Mesa's software driver to compile sooner, for shaders that draw half as fast: an author waits for the
+/// compile at each structural edit, and a picture comes coarse first. Other drivers do not look at it.
+///
+/// # Safety
+/// No other thread runs yet, as [`std::env::set_var`] demands.
+pub unsafe fn prefer_quick_compiles() {
+    const FLAGS: &str = "GALLIVM_PERF";
+    if std::env::var_os(FLAGS).is_none() {
+        // SAFETY: the caller's promise.
+        unsafe { std::env::set_var(FLAGS, "nopt") };
+    }
+}
+
 impl Gpu {
     /// A device without a window.
     pub fn headless(choice: &AdapterChoice) -> Result<Self, GpuError> {

@@ -10,7 +10,7 @@ mod pipeline;
 mod tracer;
 mod uniforms;
 
-pub use device::{AdapterChoice, Gpu, GpuError};
+pub use device::{AdapterChoice, Gpu, GpuError, prefer_quick_compiles};
 pub use display::{Display, Target};
 pub use image::{Picture, render};
 pub use pipeline::Pipeline;
