@@ -57,6 +57,16 @@ impl Compiled {
         let module = on_deep_stack(|| module::validate(&source))?;
         Ok(Self { scene: self.scene.clone(), source, module, times: self.times })
     }
+
+    /// The same scene with the entry points by which a [`gpu::Probe`] asks it.
+    ///
+    /// # Errors
+    /// Where naga refuses them, since a file of the author's has a function of the same name.
+    pub fn probed(&self) -> Result<Self, Diagnostic> {
+        let source = self.source.clone().with_probe();
+        let module = on_deep_stack(|| module::validate(&source))?;
+        Ok(Self { scene: self.scene.clone(), source, module, times: self.times })
+    }
 }
 
 /// How long each stage took.

@@ -81,12 +81,15 @@ impl Gpu {
     ) -> Result<Self, GpuError> {
         let adapter = pollster::block_on(find_adapter(instance, choice, surface))
             .ok_or_else(|| GpuError::NoAdapter(advice(choice)))?;
-        // A headless picture may be as large as the adapter's textures.
+        // A headless picture may be as large as the adapter's textures. A probe needs compute shaders; all
+        // else does without.
         let limits = adapter.limits();
         let required_limits = wgpu::Limits {
             max_texture_dimension_2d: limits.max_texture_dimension_2d,
             max_uniform_buffer_binding_size: limits.max_uniform_buffer_binding_size,
-            ..wgpu::Limits::downlevel_webgl2_defaults().using_resolution(limits)
+            ..wgpu::Limits::downlevel_defaults()
+                .using_resolution(limits.clone())
+                .or_worse_values_from(&limits)
         };
         let descriptor = wgpu::DeviceDescriptor { required_limits, ..Default::default() };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
@@ -128,44 +131,48 @@ impl Gpu {
         texture: &wgpu::Texture,
         texel_bytes: u32,
     ) -> Result<Vec<u8>, GpuError> {
-        let padded = (texture.width() * texel_bytes).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let most = self.device.limits().max_buffer_size / u64::from(padded);
-        let mut bytes = vec![];
-        let mut row = 0;
-        while row < texture.height() {
-            let end = texture.height().min(row.saturating_add(most as u32));
-            self.read_rows(texture, row..end, padded, texel_bytes, &mut bytes)?;
-            row = end;
+        let row = texture.width() * texel_bytes;
+        let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let most =
+            (self.device.limits().max_buffer_size / u64::from(padded)).min(u64::from(texture.height()));
+        let mut texels = vec![];
+        for first in (0..texture.height()).step_by(most as usize) {
+            let height = (texture.height() - first).min(most as u32);
+            let encoder = self.device.create_command_encoder(&Default::default());
+            let bytes =
+                self.read_back(encoder, u64::from(padded) * u64::from(height), |encoder, buffer| {
+                    let mut rows = texture.as_image_copy();
+                    rows.origin.y = first;
+                    let layout = wgpu::TexelCopyBufferLayout {
+                        offset: 0,
+                        bytes_per_row: Some(padded),
+                        rows_per_image: None,
+                    };
+                    encoder.copy_texture_to_buffer(
+                        rows,
+                        wgpu::TexelCopyBufferInfo { buffer, layout },
+                        wgpu::Extent3d { width: texture.width(), height, depth_or_array_layers: 1 },
+                    );
+                })?;
+            bytes.chunks_exact(padded as usize).for_each(|r| texels.extend_from_slice(&r[..row as usize]));
         }
-        Ok(bytes)
+        Ok(texels)
     }
 
-    /// Appends some rows of a texture, which are `padded` bytes long where the GPU puts them.
-    fn read_rows(
+    /// Submits what `encoder` holds and, last, what `copy` adds; returns the bytes that it copies.
+    pub(super) fn read_back(
         &self,
-        texture: &wgpu::Texture,
-        rows: std::ops::Range<u32>,
-        padded: u32,
-        texel_bytes: u32,
-        bytes: &mut Vec<u8>,
-    ) -> Result<(), GpuError> {
-        let height = rows.end - rows.start;
+        mut encoder: wgpu::CommandEncoder,
+        size: u64,
+        copy: impl FnOnce(&mut wgpu::CommandEncoder, &wgpu::Buffer),
+    ) -> Result<Vec<u8>, GpuError> {
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("read back"),
-            size: u64::from(padded) * u64::from(height),
+            size,
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
-        let mut encoder = self.device.create_command_encoder(&Default::default());
-        let mut place = texture.as_image_copy();
-        place.origin.y = rows.start;
-        let layout =
-            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(padded), rows_per_image: None };
-        encoder.copy_texture_to_buffer(
-            place,
-            wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },
-            wgpu::Extent3d { width: texture.width(), height, depth_or_array_layers: 1 },
-        );
+        copy(&mut encoder, &buffer);
         self.queue.submit([encoder.finish()]);
         let (sender, receiver) = std::sync::mpsc::channel();
         buffer.slice(..).map_async(wgpu::MapMode::Read, move |result| {
@@ -173,12 +180,11 @@ impl Gpu {
         });
         self.wait()?;
         let lost = |why: String| GpuError::Lost(why);
-        let mapped = receiver.try_recv().map_err(|e| lost(e.to_string()))?;
+        // Another thread that waits too may have taken this news, and be about to tell it.
+        let mapped = receiver.recv_timeout(PATIENCE).map_err(|e| lost(e.to_string()))?;
         mapped.map_err(|e| lost(e.to_string()))?;
-        let range = buffer.slice(..).get_mapped_range().map_err(|e| lost(e.to_string()))?;
-        let row = (texture.width() * texel_bytes) as usize;
-        range.chunks_exact(padded as usize).for_each(|padded| bytes.extend_from_slice(&padded[..row]));
-        Ok(())
+        let bytes = buffer.slice(..).get_mapped_range().map_err(|e| lost(e.to_string()))?;
+        Ok(bytes.to_vec())
     }
 }
 

@@ -2,6 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
+use super::pipeline::{uniform_buffer, uniform_entry};
 use super::{Gpu, GpuError};
 use crate::ir;
 use crate::library::built_in;
@@ -45,16 +46,7 @@ impl Display {
             label: Some("shaders/display.wgsl"),
             source: wgpu::ShaderSource::Wgsl(text.into()),
         });
-        let uniform = wgpu::BindGroupLayoutEntry {
-            binding: 0,
-            visibility: wgpu::ShaderStages::FRAGMENT,
-            ty: wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: false,
-                min_binding_size: wgpu::BufferSize::new(size_of::<Options>() as u64),
-            },
-            count: None,
-        };
+        let uniform = uniform_entry(0, size_of::<Options>() as u64, wgpu::ShaderStages::FRAGMENT);
         let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("display"),
             entries: &[uniform, texture_entry(1)],
@@ -62,12 +54,7 @@ impl Display {
         let pipelines = ["showLight", "showValue"].map(|fragment| {
             full_screen_pipeline(&gpu.device, &module, &[Some(&layout)], ["coverTarget", fragment], format)
         });
-        let options = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("display"),
-            size: size_of::<Options>() as u64,
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
+        let options = uniform_buffer(gpu, "display", size_of::<Options>() as u64);
         Self { gpu: gpu.clone(), pipelines, layout, options }
     }
 

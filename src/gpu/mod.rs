@@ -1,12 +1,15 @@
 //! The GPU: a device, a scene's pipeline, a picture that gathers samples, and what a screen shows of it.
 //!
-//! In: [`crate::Compiled`]. Out: pixels. The only room that knows wgpu, the window's surface aside.
+//! In: [`crate::Compiled`]. Out: pixels, or from a [`Probe`] single values. The only room that knows wgpu,
+//! the window's surface aside.
 
+mod batches;
 mod device;
 mod display;
 mod image;
 mod images;
 mod pipeline;
+mod probe;
 mod tracer;
 mod uniforms;
 
@@ -14,5 +17,6 @@ pub use device::{AdapterChoice, Gpu, GpuError, prefer_quick_compiles};
 pub use display::{Display, Target};
 pub use image::{Picture, render};
 pub use pipeline::Pipeline;
+pub use probe::{Crossing, Look, Probe, Ray, SurfacePoint};
 pub use tracer::Tracer;
 pub use uniforms::{Moment, View, sample_offset};

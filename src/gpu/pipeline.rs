@@ -26,32 +26,8 @@ impl Pipeline {
     /// # Errors
     /// Where the driver refuses, or the scene has more numbers than the GPU's uniform buffers hold.
     pub fn build(gpu: &Gpu, compiled: &Compiled) -> Result<Self, GpuError> {
-        let bytes = size_of_val(compiled.source.numbers.as_slice()) as u64;
-        let most = gpu.device.limits().max_uniform_buffer_binding_size;
-        if bytes > most {
-            let why = format!(
-                "the scene has {bytes} bytes of numbers, and the GPU takes {most} at once; \
-                 leave out --live, or some of its objects"
-            );
-            return Err(GpuError::Refused(why));
-        }
-        // Scopes belong to a thread, so they stand on the one that makes the pipeline.
-        crate::on_deep_stack(|| {
-            let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
-            let internal = gpu.device.push_error_scope(wgpu::ErrorFilter::Internal);
-            // naga's writers panic at some text that naga's own check lets pass.
-            let made = catch_unwind(AssertUnwindSafe(|| make(gpu, compiled)));
-            let errors = [pollster::block_on(internal.pop()), pollster::block_on(scope.pop())];
-            let refused = errors.into_iter().flatten().next().map(|error| error.to_string());
-            match (made, refused) {
-                (Ok(built), None) => Ok(built),
-                (_, Some(why)) => Err(GpuError::Refused(why)),
-                (Err(panic), None) => Err(GpuError::Refused(format!(
-                    "naga cannot write this shader for the driver: {}",
-                    panic.downcast_ref::<String>().map_or("", String::as_str)
-                ))),
-            }
-        })
+        check_numbers(gpu, compiled)?;
+        checked(gpu, || make(gpu, compiled))
     }
 
     /// Replaces the scene's numbers by those of a scene with the same text.
@@ -62,35 +38,94 @@ impl Pipeline {
     }
 }
 
-fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
-    let device = &gpu.device;
+/// # Errors
+/// Where the scene has more numbers than the GPU's uniform buffers hold.
+pub(super) fn check_numbers(gpu: &Gpu, compiled: &Compiled) -> Result<(), GpuError> {
+    let bytes = size_of_val(compiled.source.numbers.as_slice()) as u64;
+    let most = gpu.device.limits().max_uniform_buffer_binding_size;
+    if bytes <= most {
+        return Ok(());
+    }
+    let why = format!(
+        "the scene has {bytes} bytes of numbers, and the GPU takes {most} at once; \
+         leave out --live, or some of its objects"
+    );
+    Err(GpuError::Refused(why))
+}
+
+/// What `make` makes, unless the driver has something against it.
+pub(super) fn checked<T: Send>(gpu: &Gpu, make: impl FnOnce() -> T + Send) -> Result<T, GpuError> {
+    // Scopes belong to a thread, so they stand on the one that makes the pipeline.
+    crate::on_deep_stack(|| {
+        let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let internal = gpu.device.push_error_scope(wgpu::ErrorFilter::Internal);
+        // naga's writers panic at some text that naga's own check lets pass.
+        let made = catch_unwind(AssertUnwindSafe(make));
+        let errors = [pollster::block_on(internal.pop()), pollster::block_on(scope.pop())];
+        let refused = errors.into_iter().flatten().next().map(|error| error.to_string());
+        match (made, refused) {
+            (Ok(made), None) => Ok(made),
+            (_, Some(why)) => Err(GpuError::Refused(why)),
+            (Err(panic), None) => Err(GpuError::Refused(format!(
+                "naga cannot write this shader for the driver: {}",
+                panic.downcast_ref::<String>().map_or("", String::as_str)
+            ))),
+        }
+    })
+}
+
+pub(super) fn shader_module(gpu: &Gpu, compiled: &Compiled) -> wgpu::ShaderModule {
     gpu.count_pipeline();
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+    gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(&compiled.scene.name),
         source: wgpu::ShaderSource::Naga(Cow::Owned(compiled.module.naga().clone())),
-    });
-    let uniform = |binding, size| wgpu::BindGroupLayoutEntry {
+    })
+}
+
+/// The buffer of a live scene's numbers, filled; none where they are literals.
+pub(super) fn numbers_buffer(gpu: &Gpu, compiled: &Compiled) -> Option<wgpu::Buffer> {
+    let numbers: &[u8] = bytemuck::cast_slice(&compiled.source.numbers);
+    (compiled.source.mode == Mode::Live).then(|| {
+        let buffer = uniform_buffer(gpu, "numbers", numbers.len() as u64);
+        gpu.queue.write_buffer(&buffer, 0, numbers);
+        buffer
+    })
+}
+
+pub(super) fn uniform_buffer(gpu: &Gpu, label: &str, size: u64) -> wgpu::Buffer {
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size,
+        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}
+
+pub(super) fn uniform_entry(
+    binding: u32,
+    size: u64,
+    visibility: wgpu::ShaderStages,
+) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
         binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
+        visibility,
         ty: wgpu::BindingType::Buffer {
             ty: wgpu::BufferBindingType::Uniform,
             has_dynamic_offset: false,
             min_binding_size: wgpu::BufferSize::new(size),
         },
         count: None,
-    };
-    let mut entries =
-        vec![uniform(0, size_of::<super::uniforms::Frame>() as u64), super::display::texture_entry(1)];
-    let numbers = (compiled.source.mode == Mode::Live).then(|| {
-        let size = size_of_val(compiled.source.numbers.as_slice()) as u64;
-        entries.push(uniform(2, size));
-        device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("numbers"),
-            size,
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        })
-    });
+    }
+}
+
+fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
+    let device = &gpu.device;
+    let module = shader_module(gpu, compiled);
+    let stage = wgpu::ShaderStages::FRAGMENT;
+    let frame = uniform_entry(0, size_of::<super::uniforms::Frame>() as u64, stage);
+    let numbers = numbers_buffer(gpu, compiled);
+    let mut entries = vec![frame, super::display::texture_entry(1)];
+    entries.extend(numbers.iter().map(|n| uniform_entry(2, n.size(), stage)));
     let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("scene"),
         entries: &entries,
@@ -104,7 +139,5 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
         ["coverPicture", "tracePixel"],
         FORMAT,
     );
-    let built = Pipeline { pipeline, layout, numbers, images };
-    built.upload(gpu, &compiled.source.numbers);
-    built
+    Pipeline { pipeline, layout, numbers, images }
 }

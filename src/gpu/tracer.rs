@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::pipeline::FORMAT;
+use super::pipeline::{FORMAT, uniform_buffer};
 use super::uniforms::Frame;
 use super::{Gpu, GpuError, Moment, Pipeline};
 use crate::ir;
@@ -26,12 +26,7 @@ impl Tracer {
                 format!("a picture of {}x{}; its pictures go from 1x1 to {most}x{most}", size[0], size[1]);
             return Err(GpuError::Refused(why));
         }
-        let frame = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("frame"),
-            size: size_of::<Frame>() as u64,
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
+        let frame = uniform_buffer(gpu, "frame", size_of::<Frame>() as u64);
         let texture = |label| {
             gpu.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),

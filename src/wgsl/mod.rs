@@ -60,6 +60,12 @@ impl Source {
         &self.sections[0].text
     }
 
+    /// The same module with the entry points of shaders/probe.wgsl.
+    pub fn with_probe(mut self) -> Self {
+        self.sections.push(sections::probe());
+        self
+    }
+
     /// The section and the byte in it that byte `at` of [`Source::text`] came from.
     pub fn origin(&self, at: usize) -> (&Section, usize) {
         let mut start = 0;

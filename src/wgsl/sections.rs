@@ -9,8 +9,9 @@ use crate::library::{BUILT_IN, Function, built_in};
 const CORE: [&str; 10] =
     ["main", "view", "trace", "look", "shading", "light", "material", "space", "ray", "frame"];
 
-/// The one file in shaders/ that is no part of a scene's shader.
-const DISPLAY: &str = "display";
+/// Files in shaders/ that are no part of a picture's shader.
+const APART: [&str; 2] = ["display", "probe"];
+const PROBE: &str = "shaders/probe.wgsl";
 
 /// The sections that the scene's own text and the functions that it uses stand on.
 pub fn needed(own: &Section, used: &[Arc<Function>]) -> Vec<Section> {
@@ -36,6 +37,11 @@ pub fn needed(own: &Section, used: &[Arc<Function>]) -> Vec<Section> {
     sections
 }
 
+/// The entry points that ask a scene's functions for values.
+pub fn probe() -> Section {
+    section(PROBE, built_in(PROBE).expect("it ships with raytoy"))
+}
+
 fn section(name: &str, text: &str) -> Section {
     Section { name: name.into(), text: text.into() }
 }
@@ -44,7 +50,7 @@ fn section(name: &str, text: &str) -> Section {
 fn shared() -> impl Iterator<Item = (&'static str, &'static str)> {
     BUILT_IN.iter().copied().filter(|(name, _)| {
         let stem = name.strip_prefix("shaders/").and_then(|n| n.strip_suffix(".wgsl"));
-        stem.is_some_and(|s| !s.contains('/') && !CORE.contains(&s) && s != DISPLAY)
+        stem.is_some_and(|s| !s.contains('/') && !CORE.contains(&s) && !APART.contains(&s))
     })
 }
 

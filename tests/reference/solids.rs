@@ -204,7 +204,9 @@ pub fn turned_normal(base: Vec3, top: Vec3, [s0, s1, s2]: Profile, p: Vec3) -> V
     let at = Beside::new(base, top, p, Vec3::ZERO);
     let slope = at.q * 2.0 - at.axis * (s1 + 2.0 * s2 * at.h);
     let side = (at.q.dot(at.q) - s0 - (s1 + s2 * at.h) * at.h).abs() / slope.length();
-    match [at.h.abs(), (at.length - at.h).abs()] {
+    // A disc without size is no face: the top of a paraboloid.
+    let reach = |height: f64, off: f64| if s0 + (s1 + s2 * height) * height > 1e-12 { off } else { f64::MAX };
+    match [reach(0.0, at.h.abs()), reach(at.length, (at.length - at.h).abs())] {
         [low, high] if side <= low && side <= high => slope,
         [low, high] if low < high => -at.axis,
         _ => at.axis,

@@ -1,0 +1,190 @@
+//! Questions to a scene's own functions, many at a time and without a picture: what does its material look
+//! like at these points, what do these rays meet?
+//!
+//! In: [`Compiled`], points, rays. Out: the values that a picture of the scene would be made of.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Vec2, Vec3};
+
+use super::batches::{Kernel, Scene};
+use super::images::Images;
+use super::pipeline::{self, checked};
+use super::uniforms::Frame;
+use super::{Gpu, GpuError, Moment};
+use crate::Compiled;
+
+/// A scene that can be asked. One whose text stays the same takes new numbers.
+#[derive(Debug)]
+pub struct Probe {
+    gpu: Gpu,
+    materials: Kernel,
+    rays: Kernel,
+    scene: Scene,
+    numbers: Option<wgpu::Buffer>,
+}
+
+/// A point of an object, as its textures see it. Lengths are scene units.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct SurfacePoint {
+    /// Its place among the scene's objects.
+    pub object: u32,
+    /// In the object's space.
+    pub position: Vec3,
+    /// Outward, length 1, in the object's space.
+    pub normal: Vec3,
+    pub uv: Vec2,
+    /// The same point in world space.
+    pub world: Vec3,
+    /// Width of a pixel at the point, in the object's units; 0 does not filter.
+    pub footprint: f32,
+}
+
+/// What a material looks like at one point; linear RGB.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    pub color: Vec3,
+    pub emission: Vec3,
+}
+
+/// The points `origin + t * direction` with `t_min < t < t_max`, in world space. The direction may have any
+/// length but 0; t counts in it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Ray {
+    pub origin: Vec3,
+    pub t_min: f32,
+    pub direction: Vec3,
+    pub t_max: f32,
+}
+
+/// Where a ray meets the scene first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// In lengths of the ray's direction.
+    pub t: f32,
+    /// Its place among the scene's objects.
+    pub object: u32,
+    /// In world space.
+    pub position: Vec3,
+    /// Outward, length 1, in world space, without bumps.
+    pub normal: Vec3,
+    pub uv: Vec2,
+}
+
+impl Probe {
+    /// Makes one shader module and two pipelines, for `compiled` as it is at `moment` in a picture of `size`.
+    ///
+    /// # Errors
+    /// Where the driver refuses or has no compute shaders, or the scene has more numbers than the GPU's
+    /// uniform buffers hold.
+    pub fn build(gpu: &Gpu, compiled: &Compiled, moment: &Moment, size: [u32; 2]) -> Result<Self, GpuError> {
+        pipeline::check_numbers(gpu, compiled)?;
+        Kernel::check(gpu)?;
+        let probed = compiled.probed().map_err(|problem| GpuError::Refused(problem.message))?;
+        let frame = Frame::new(moment, &compiled.scene.render, size, 0, [0.0; 2]);
+        checked(gpu, || {
+            let device = &gpu.device;
+            let module = pipeline::shader_module(gpu, &probed);
+            let stage = wgpu::ShaderStages::COMPUTE;
+            let mut entries = vec![pipeline::uniform_entry(0, size_of::<Frame>() as u64, stage)];
+            let numbers = pipeline::numbers_buffer(gpu, compiled);
+            entries.extend(numbers.iter().map(|n| pipeline::uniform_entry(2, n.size(), stage)));
+            let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some("probe"),
+                entries: &entries,
+            });
+            let frame_buffer = pipeline::uniform_buffer(gpu, "frame", size_of::<Frame>() as u64);
+            gpu.queue.write_buffer(&frame_buffer, 0, bytemuck::bytes_of(&frame));
+            let bound = [(0, Some(&frame_buffer)), (2, numbers.as_ref())];
+            let bound = bound.into_iter().filter_map(|(binding, buffer)| {
+                Some(wgpu::BindGroupEntry { binding, resource: buffer?.as_entire_binding() })
+            });
+            let values = device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("probe"),
+                layout: &layout,
+                entries: &bound.collect::<Vec<_>>(),
+            });
+            let images = Images::new(device, &gpu.queue, &compiled.scene.images);
+            let layouts = [Some(&layout), images.as_ref().map(|images| &images.layout)];
+            let kernel = |entry| Kernel::new(gpu, &module, layouts, entry);
+            let (materials, rays) = (kernel("probeMaterials"), kernel("probeRays"));
+            let scene = Scene { values, images };
+            Self { gpu: gpu.clone(), materials, rays, scene, numbers }
+        })
+    }
+
+    /// Replaces the scene's numbers by those of a scene with the same live text.
+    pub fn upload(&self, numbers: &[f32]) {
+        if let Some(buffer) = &self.numbers {
+            self.gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(numbers));
+        }
+    }
+
+    /// What the materials look like at `points`, one answer for each. An object that the scene does not have
+    /// is black.
+    ///
+    /// # Errors
+    /// Where the device stops to answer.
+    pub fn materials(&self, points: &[SurfacePoint]) -> Result<Vec<Look>, GpuError> {
+        let answer = |a: &LookAnswer| Look { color: a.color, emission: a.emission };
+        self.materials.ask(&self.gpu, &self.scene, points, PointQuestion::of, answer)
+    }
+
+    /// Where `rays` meet the scene first, one answer for each; None where a ray meets nothing.
+    ///
+    /// # Errors
+    /// Where the device stops to answer.
+    pub fn rays(&self, rays: &[Ray]) -> Result<Vec<Option<Crossing>>, GpuError> {
+        let answer = |a: &CrossingAnswer| {
+            let CrossingAnswer { position, t, normal, object, uv, .. } = *a;
+            (object != NO_OBJECT).then_some(Crossing { t, object, position, normal, uv })
+        };
+        self.rays.ask(&self.gpu, &self.scene, rays, |ray| *ray, answer)
+    }
+}
+
+/// `NO_OBJECT` of shaders/ray.wgsl.
+const NO_OBJECT: u32 = u32::MAX;
+
+/// `ProbePoint` of shaders/probe.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct PointQuestion {
+    position: Vec3,
+    footprint: f32,
+    normal: Vec3,
+    object: u32,
+    world: Vec3,
+    padding: u32,
+    uv: Vec2,
+    end: [u32; 2],
+}
+
+impl PointQuestion {
+    fn of(point: &SurfacePoint) -> Self {
+        let SurfacePoint { object, position, normal, uv, world, footprint } = *point;
+        Self { position, footprint, normal, object, world, padding: 0, uv, end: [0; 2] }
+    }
+}
+
+/// `ProbeLook` of shaders/probe.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct LookAnswer {
+    color: Vec3,
+    padding: u32,
+    emission: Vec3,
+    end: u32,
+}
+
+/// `ProbeCrossing` of shaders/probe.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct CrossingAnswer {
+    position: Vec3,
+    t: f32,
+    normal: Vec3,
+    object: u32,
+    uv: Vec2,
+    end: [u32; 2],
+}

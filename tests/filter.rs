@@ -1,0 +1,91 @@
+//! The filtered value of a pattern with edges beside the mean of its hard values over the footprint: a square
+//! of the floor as wide as a pixel.
+
+mod common;
+mod patterns;
+
+use common::expect_none;
+use glam::{Vec2, Vec3};
+use patterns::{Panel, Random, World, by_devices, on_floor};
+use raytoy::gpu::Gpu;
+use raytoy::wgsl::Mode;
+
+/// A call in black and white, how many scene units a cell of it has, and the most that the filter may be off,
+/// as a mean over many places: measured, and rounded up. How pieces differ in brightness is left out: that is
+/// no edge.
+const PATTERNS: [(&str, f32, f64); 18] = [
+    ("Checker(even: 1, odd: 0)", 1.0, 0.005),
+    ("Stripes(even: 1, odd: 0)", 1.0, 0.005),
+    ("Brick(variation: 0, clay: 1, joint: 0)", 0.25, 0.005),
+    ("Grid(color: 1, ground: 0)", 0.5, 0.005),
+    ("Herringbone(variation: 0, wood: 1, joint: 0)", 0.3333, 0.005),
+    ("Dots(color: 1, ground: 0)", 0.5, 0.01),
+    ("Cairo(variation: 0, stone: 1, joint: 0)", 0.5, 0.01),
+    ("Rings(even: 1, odd: 0)", 0.4, 0.01),
+    ("Spiral(even: 1, odd: 0)", 0.6, 0.015),
+    ("Pavement(octagon: 1, square: 0, joint: 0.5)", 0.5, 0.015),
+    ("Plaid(ground: 1, check: 0, stripe: 0.5, line: 0)", 1.0, 0.015),
+    ("Hexagon(first: 1, second: 0.5, third: 0, joint: 0.5)", 0.5, 0.02),
+    ("Weave(warp: 1, weft: 0.5, ground: 0)", 0.3333, 0.02),
+    ("Scales(variation: 0, tip: 1, base: 0.5, rim: 0)", 0.3333, 0.02),
+    ("Triangles(even: 1, odd: 0, joint: 0.5)", 0.6667, 0.025),
+    ("Truchet(line: 0.5, even: 1, odd: 0)", 0.5, 0.03),
+    // A pixel sees two stones or plates at most, and beyond fades to their mean.
+    ("Crackle(variation: 0, plate: 1, crack: 0)", 0.55, 0.035),
+    ("Cells(first: 1, second: 0)", 0.4, 0.075),
+];
+
+/// Footprints, in cells.
+const WIDTHS: [f32; 4] = [1.0 / 16.0, 0.25, 1.0, 2.0];
+const CENTERS: usize = 256;
+/// Hard values in each footprint.
+const SAMPLES: u32 = 1024;
+
+#[test]
+fn filters_give_the_mean_over_the_footprint() {
+    let world = World::default();
+    let check = |gpu: &Gpu, (call, cell, most): &(&str, f32, f64)| check(gpu, &world, call, *cell, *most);
+    let Some(found) = by_devices(&PATTERNS, check) else { return };
+    expect_none(found.into_iter().flatten());
+}
+
+#[test]
+fn a_pattern_without_a_filter_is_found() {
+    let Some(gpu) = common::gpu() else { return };
+    let text = "/// Hard.\nfn hard(at: Surface) -> f32 {\n    return step(0.5, fract(at.uv.x));\n}\n";
+    let world = World { files: vec![("textures/hard.wgsl".into(), text.into())], only: true };
+    let found = check(gpu, &world, "Hard()", 1.0, 0.03);
+    assert_eq!(found.len(), 3, "{found:?}");
+}
+
+fn check(gpu: &Gpu, world: &World, call: &str, cell: f32, most: f64) -> Vec<String> {
+    let panel = Panel::new(gpu, world, &[call.to_owned()], Mode::Baked);
+    let value = |points: &[_]| panel.values(points).remove(0);
+    let mut errors = vec![];
+    for width in WIDTHS {
+        let mut random = Random(3);
+        let centers: Vec<Vec3> =
+            (0..CENTERS).map(|_| 16.0 * cell * random.vector() * Vec3::new(1.0, 0.0, 1.0)).collect();
+        let filtered = value(&centers.iter().map(|p| on_floor(*p, width * cell)).collect::<Vec<_>>());
+        // Hammersley's points: where some share a row, a line along it counts too much or too little.
+        let place =
+            |i: u32| Vec2::new(i as f32 + 0.5, (i.reverse_bits() >> 22) as f32 + 0.5) / SAMPLES as f32;
+        let inside = |p: Vec3| {
+            let offset = move |i| width * cell * (place(i) - 0.5);
+            (0..SAMPLES).map(move |i| on_floor(p + Vec3::new(offset(i).x, 0.0, offset(i).y), 0.0))
+        };
+        let hard = value(&centers.iter().flat_map(|p| inside(*p)).collect::<Vec<_>>());
+        let mean = |hard: &[Vec3]| hard.iter().sum::<Vec3>() / hard.len() as f32;
+        let off =
+            |(hard, filtered): (&[Vec3], &Vec3)| f64::from((mean(hard) - *filtered).abs().max_element());
+        let error = hard.chunks(SAMPLES as usize).zip(&filtered).map(off).sum::<f64>() / CENTERS as f64;
+        errors.push(error);
+    }
+    eprintln!("{call}: {errors:.4?}");
+    let wrong = WIDTHS.into_iter().zip(errors).filter(|(_, error)| *error > most);
+    wrong
+        .map(|(width, error)| {
+            format!("{call}: off by {error:.4} where a pixel is {width} cells, {most} allowed")
+        })
+        .collect()
+}

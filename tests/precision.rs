@@ -1,0 +1,74 @@
+//! Some thousand nasty rays at each shape, near and far, beside the reference in f64; tests/bench/shapes.rs
+//! shoots millions and prints a table.
+
+mod common;
+mod rays;
+mod reference;
+
+use common::expect_none;
+use rays::{Call, DISTANCES, SHAPES, Subject, extent};
+use raytoy::gpu::Gpu;
+use raytoy::library::{Family, Library};
+use raytoy::sources::Sources;
+
+/// For each shape and distance.
+const RAYS: u64 = 2000;
+
+/// The share of rays that may meet what is not there, or miss what is.
+const MOST_WRONG: f64 = 1e-4;
+/// Of the distance.
+const SURFACE_TOLERANCE: f32 = 2e-5;
+/// Radians, between the normals at one point.
+const NORMAL_TOLERANCE: f32 = 1e-3;
+/// The point itself is rounded, and so the normal turns with each unit of the distance.
+const TURN: f32 = 1e-6;
+
+#[test]
+fn crossings_and_normals_keep_their_digits() {
+    let Some(gpu) = common::gpu() else { return };
+    expect_none(SHAPES.iter().flat_map(|(name, calls)| check(gpu, name, calls)));
+}
+
+#[test]
+fn each_shape_has_a_line() {
+    let sources = Sources::in_memory();
+    let library = Library::new(&sources, "".as_ref());
+    let is_known = |name: &String| SHAPES.iter().any(|(known, _)| known == name);
+    // The reference solves equations; for what is marched to, tests/solids.rs has laws.
+    let is_solved =
+        |name: &String| library.find(Family::Shape, name).is_ok_and(|function| !function.traits.is_distance);
+    let names = library.names(Family::Shape).into_iter();
+    let missing = names.filter(|name| is_solved(name) && !is_known(name));
+    expect_none(missing.map(|name| format!("{name} has no line in SHAPES")));
+}
+
+fn check(gpu: &Gpu, name: &str, calls: &[Call]) -> Vec<String> {
+    let mut problems = vec![];
+    let (mut wrong, mut judged, mut worst) = (0, 0, String::new());
+    for call in calls {
+        let subject = Subject::new(gpu, *call);
+        for distance in DISTANCES {
+            let mut tally = subject.shoot(distance, RAYS / calls.len() as u64);
+            wrong += tally.false_hits + tally.misses;
+            judged += tally.judged();
+            let turned = NORMAL_TOLERANCE + TURN * distance.unwrap_or(1.0) as f32;
+            let told = tally.worst.map(|(_, ray)| ray).unwrap_or_default();
+            let limits = [
+                ("crossing is off by", extent(&mut tally.surface, 1.0).0, SURFACE_TOLERANCE),
+                ("normal at its own point is off by", extent(&mut tally.own_normal, 1.0).0, NORMAL_TOLERANCE),
+                ("normal, in 99 % of the rays, is off by", extent(&mut tally.normal, 0.99).1, turned),
+            ];
+            let broken = limits.into_iter().filter(|(_, off, most)| off > most);
+            problems.extend(broken.map(|(what, off, most)| {
+                format!("{} from {distance:?}: the {what} {off:e}, {most:e} allowed; {told}", call.0)
+            }));
+            if tally.false_hits + tally.misses > 0 {
+                worst = told;
+            }
+        }
+    }
+    if wrong as f64 > MOST_WRONG * judged as f64 {
+        problems.push(format!("{name}: {wrong} of {judged} rays find or miss it wrongly, such as {worst}"));
+    }
+    problems
+}
