@@ -17,6 +17,9 @@ pub const BLESS: &str = "RAYTOY_BLESS";
 /// Set, it turns a missing adapter from a skip into a failure.
 pub const REQUIRE_GPU: &str = "RAYTOY_REQUIRE_GPU";
 
+/// The variable with a part of the name of another adapter to test than the software one.
+const ADAPTER: &str = "RAYTOY_ADAPTER";
+
 /// The project's folder.
 pub fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
@@ -99,15 +102,21 @@ pub fn expect_none(problems: impl IntoIterator<Item = String>) {
     assert!(problems.is_empty(), "{} problem(s)\n{}", problems.len(), problems.join("\n"));
 }
 
-/// The GPU that runs on the processor, one for the whole binary; without one the test is skipped.
+/// The GPU that runs on the processor, unless [`ADAPTER`] names another, one for the whole binary; without one the
+/// test is skipped.
 pub fn gpu() -> Option<&'static Gpu> {
-    static GPU: LazyLock<Option<Gpu>> = LazyLock::new(|| match Gpu::headless(&AdapterChoice::Software) {
-        Ok(gpu) => Some(gpu),
-        Err(error) if std::env::var_os(REQUIRE_GPU).is_some() => panic!("{REQUIRE_GPU} is set, but {error}"),
-        Err(error) => {
-            // Past the capture of a test that passes: who runs the tests shall see it.
-            let _ = writeln!(std::io::stderr(), "skipped: no adapter ({error})");
-            None
+    static GPU: LazyLock<Option<Gpu>> = LazyLock::new(|| {
+        let choice = std::env::var(ADAPTER).map_or(AdapterChoice::Software, AdapterChoice::Named);
+        match Gpu::headless(&choice) {
+            Ok(gpu) => Some(gpu),
+            Err(error) if std::env::var_os(REQUIRE_GPU).is_some() => {
+                panic!("{REQUIRE_GPU} is set, but {error}")
+            }
+            Err(error) => {
+                // Past the capture of a test that passes: who runs the tests shall see it.
+                let _ = writeln!(std::io::stderr(), "skipped: no adapter ({error})");
+                None
+            }
         }
     });
     GPU.as_ref()
