@@ -2,9 +2,9 @@
 /// Surfaces, 1970).
 ///
 /// center = (0, 0, 0): the middle of the ball
-/// radius = 1, 0.001 to 10000: of the ball
-/// period = 0.9, 0.001 to 10000: from one turn of the sheet to the next
-/// thickness = 0.08, 0.0001 to 1000: of the sheet, about
+/// radius = 1, 0.00001 to 100000: of the ball
+/// period = 0.9, 0.00001 to 100000: from one turn of the sheet to the next
+/// thickness = 0.08, 0.000001 to 10000: of the sheet, about
 fn gyroidDistance(p: vec3f, center: vec3f, radius: f32, period: f32, thickness: f32) -> f32 {
     let q = p - center;
     let turns = q / period;

@@ -1,7 +1,7 @@
 /// A fractal with buds on its buds: the Mandelbrot set's rule, on directions of space.
 ///
 /// center = (0, 0, 0): the middle
-/// size = 1, 0.001 to 10000: about its radius
+/// size = 1, 0.00001 to 100000: about its radius
 /// power = 8, 2 to 16: how many buds go around
 /// iterations = 5, 1 to 16: how fine the buds get
 fn mandelbulbDistance(p: vec3f, center: vec3f, size: f32, power: f32, iterations: u32) -> f32 {

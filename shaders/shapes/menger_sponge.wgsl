@@ -1,7 +1,7 @@
 /// A cube with square tunnels through its faces, and through each of its smaller cubes again.
 ///
 /// center = (0, 0, 0): the middle
-/// size = 2, 0.001 to 10000: length of an edge
+/// size = 2, 0.00001 to 100000: length of an edge
 /// levels = 3, 0 to 6: how many sizes of tunnels there are
 fn mengerSpongeDistance(p: vec3f, center: vec3f, size: f32, levels: u32) -> f32 {
     let half_size = 0.5 * size;

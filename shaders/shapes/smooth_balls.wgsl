@@ -2,9 +2,9 @@
 ///
 /// a = (-0.6, 0, 0): the middle of the first ball
 /// b = (0.7, 0.3, 0): the middle of the second
-/// radius_a = 0.8, 0.001 to 10000: of the first ball
-/// radius_b = 0.55, 0.001 to 10000: of the second
-/// blend = 0.5, 0.001 to 100: from how far they reach for each other
+/// radius_a = 0.8, 0.00001 to 100000: of the first ball
+/// radius_b = 0.55, 0.00001 to 100000: of the second
+/// blend = 0.5, 0.00001 to 100000: from how far they reach for each other
 fn smoothBallsDistance(p: vec3f, a: vec3f, b: vec3f, radius_a: f32, radius_b: f32, blend: f32) -> f32 {
     let first = length(p - a) - radius_a;
     let second = length(p - b) - radius_b;
