@@ -170,3 +170,23 @@ fn imports(text: &str) -> Vec<String> {
     });
     found.filter(|name| !name.is_empty()).collect()
 }
+
+#[test]
+fn the_page_of_the_library_has_all_that_scenes_can_name() {
+    let page = read("docs/library/README.md");
+    let sources = Sources::in_memory();
+    let library = Library::new(&sources, "".as_ref());
+    let functions = [Family::Texture, Family::Shape].into_iter().flat_map(|family| {
+        let names = library.names(family).into_iter();
+        names.filter_map(|name| library.find(family, &name).ok()).collect::<Vec<_>>()
+    });
+    expect_none(functions.filter_map(|function| {
+        let says = |what: &str| page.contains(what);
+        let tells_parameters = function.parameters.iter().all(|p| says(&p.doc) && says(&p.default_text));
+        let is_complete =
+            says(&format!("**{}**", function.name)) && says(&function.caption) && tells_parameters;
+        let has_picture = common::root().join(format!("docs/library/{}.jpg", function.name)).exists();
+        let advice = "run `raytoy gallery -o docs/library`";
+        (!is_complete || !has_picture).then(|| format!("{} is not as its file says: {advice}", function.name))
+    }));
+}

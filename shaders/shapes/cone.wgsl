@@ -14,39 +14,46 @@ fn cone(ray: Ray, base: vec3f, top: vec3f, base_radius: f32, top_radius: f32) ->
     let rise = dot(ray.direction, axis);
     let across = nearest - height * axis;
     let drift = ray.direction - rise * axis;
-    let widening = (top_radius - base_radius) / size;
-    let radius = 0.5 * (base_radius + top_radius) + widening * height;
-    let growth = widening * rise;
-
-    // |across + t drift| = radius + t growth, squared: a t² + 2 b t + c = 0. The discriminant is
-    // Lagrange's identity with one negative square: b² - a c would cancel.
-    let c = dot(across, across) - radius * radius;
-    let b = dot(across, drift) - radius * growth;
-    let curvature = dot(drift, drift) - growth * growth;
-    let a = select(curvature, 1e-20, abs(curvature) < 1e-20);
-    let slant = radius * drift - growth * across;
-    let swirl = cross(across, drift);
-    let discriminant = dot(slant, slant) - dot(swirl, swirl) - (a - curvature) * c;
-    if discriminant < 0.0 && a > 0.0 {
-        return NO_HIT;
-    }
-    let root = select(-1.0, 1.0, b >= 0.0) * sqrt(max(discriminant, 0.0));
-    // c / outer keeps its digits where the outer root is far off, as along a generator; where both
-    // are close, c is what has lost them.
-    let outer = -b - root;
-    let is_far = outer * outer > abs(a) * (dot(across, across) + radius * radius);
-    let inner_t = select(root - b, c, is_far) / select(a, outer, is_far);
-    let side = select(vec2f(inner_t, outer / a), vec2f(outer / a, inner_t), b >= 0.0);
-    // A ray steeper than the side crosses it once, and the mirrored cone beyond the tip once.
-    let steep = a < 0.0;
-    let side_near = select(side.x, -NO_HIT, steep && growth < 0.0);
-    let side_far = select(side.y, NO_HIT, steep && growth > 0.0);
-
+    let drift2 = max(dot(drift, drift), 1e-24);
+    let closest = -dot(across, drift) / drift2;
+    let offset = across + closest * drift;
     let climb = select(rise, 1e-20, abs(rise) < 1e-20);
     let halfway = -height / climb;
     let reach = abs(0.5 * size / climb);
-    let near = max(side_near, halfway - reach);
-    let far = min(side_far, halfway + reach);
+    let enter = halfway - reach;
+    let leave = halfway + reach;
+
+    // Solved from where the ray is closest to the axis between the discs: from farther off, what is left
+    // near a tip is the rounding of large terms, and the mirrored cone beyond the tip may be met.
+    let start = clamp(closest, enter, leave);
+    let speed = sqrt(drift2);
+    let along = (start - closest) * speed;
+    let widening = (top_radius - base_radius) / size;
+    let radius = 0.5 * (base_radius + top_radius) + widening * (height + start * rise);
+    let growth = widening * rise;
+    // |offset|² + (along + t speed)² = (radius + t growth)²: a t² + 2 b t + c = 0. The discriminant is
+    // Lagrange's identity: b² - a c would cancel.
+    let curvature = (speed - growth) * (speed + growth);
+    let offset2 = dot(offset, offset);
+    let slant = radius * speed - growth * along;
+    let discriminant = slant * slant - curvature * offset2;
+    if discriminant < 0.0 || abs(along) > max(base_radius, top_radius) {
+        return NO_HIT;
+    }
+    // Along a generator a, b and the root are 0 or rounding: the crossings must be far off, not 0 / 0.
+    let a = curvature + select(1e-25, -1e-25, curvature < 0.0);
+    let b = along * speed - radius * growth;
+    let c = offset2 + (along - radius) * (along + radius);
+    let root = select(-1.0, 1.0, b >= 0.0) * (sqrt(discriminant) + 1e-20);
+    // c / outer keeps its digits where the outer root is far off; where both are close, c has lost them.
+    let outer = -b - root;
+    let is_far = outer * outer >= abs(curvature) * offset2;
+    let inner_t = select(root - b, c, is_far) / select(a, outer, is_far);
+    let side = start + select(vec2f(inner_t, outer / a), vec2f(outer / a, inner_t), b >= 0.0);
+    // A ray steeper than the side crosses it once, and the mirrored cone beyond the tip once.
+    let steep = a < 0.0;
+    let near = max(select(side.x, enter, steep && growth < 0.0), enter);
+    let far = min(select(side.y, leave, steep && growth > 0.0), leave);
     if near > far {
         return NO_HIT;
     }

@@ -12,7 +12,7 @@ pub fn call(function: &Function) -> String {
 
 /// What the library's functions call the textures that they work on, and one that shows their work.
 const INPUTS: [(&str, &str); 4] =
-    [("a", "Checker()"), ("b", "Marble()"), ("by", "Noise(scale: 2)"), ("of", "Marble()")];
+    [("a", "Checker()"), ("b", "Marble()"), ("by", "Noise(scale: 2)"), ("of", "WarpedNoise()")];
 
 /// A texture that shows what `function` does: a mapping needs a pattern to move, others need some to mix.
 pub fn texture(function: &Function) -> String {
