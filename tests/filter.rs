@@ -32,7 +32,7 @@ const PATTERNS: [(&str, f32, f64); 18] = [
     ("Truchet(line: 0.5, even: 1, odd: 0)", 0.5, 0.03),
     // A pixel sees two stones or plates at most, and beyond fades to their mean.
     ("Crackle(variation: 0, plate: 1, crack: 0)", 0.55, 0.035),
-    ("Cells(first: 1, second: 0)", 0.4, 0.075),
+    ("Cells(first: 1, second: 0)", 0.4, 0.04),
 ];
 
 /// Footprints, in cells.

@@ -11,7 +11,7 @@ use raytoy::gpu::{Gpu, View};
 use raytoy::wgsl::Mode;
 
 /// Pictures beside their scenes in `tests/cases/`.
-const PICTURES: [&str; 15] = [
+const PICTURES: [&str; 16] = [
     "geometry/round",
     "geometry/flat",
     "geometry/edged",
@@ -22,6 +22,7 @@ const PICTURES: [&str; 15] = [
     "patterns/triplanar",
     "solids/parts_are_cut_from_parts",
     "solids/distances_are_marched_to",
+    "solids/land_takes_a_texture",
     "materials/bump",
     "materials/mirror",
     "materials/glass",

@@ -7,7 +7,7 @@ use raytoy::gpu::{Gpu, Moment, Picture, View, render};
 use raytoy::wgsl::Mode;
 
 /// A scene's objects, others that are the same body, and the share of pixels in which they agree.
-const LAWS: [(&str, &str, &str); 13] = [
+const LAWS: [(&str, &str, &str); 15] = [
     ("a union of two halves is the whole", "Union(parts: [Box(max: (0, 1, 1)), Box(min: (0, -1, -1))])", "Box()"),
     (
         "a union forgets what lies inside",
@@ -67,6 +67,16 @@ const LAWS: [(&str, &str, &str); 13] = [
         "a moved distance is the moved shape",
         "MengerSponge(levels: 0, scale: (1, 0.5, 1.4), rotate_deg: (0, 90, 0), translate: (0.2, 0, 0))",
         "Box(min: (-1.2, -0.5, -1), max: (1.6, 0.5, 1))",
+    ),
+    (
+        "level land is a box",
+        "Heightfield(height: 0.75, size: (2, 2, 2), translate: (0, -0.5, 0))",
+        "Box(min: (-1, -0.5, -1), max: (1, 1, 1))",
+    ),
+    (
+        "a pattern shapes land as a number does",
+        "Heightfield(height: Add(a: 0.25, b: 0.5), size: (2, 2, 2), translate: (0, -0.5, 0))",
+        "Box(min: (-1, -0.5, -1), max: (1, 1, 1))",
     ),
 ];
 

@@ -31,7 +31,9 @@ fn brick(
     let turn = (i32(course) % period + period) % period;
     let column = floor(along + f32(turn) / courses);
     let tone = tenBits(cellCorners(vec3f(column, course, 0.0)).near, 10u).x;
-    let fired = clay * (1.0 + variation * tone * (1.0 - smoothstep(0.5, 2.0, width)));
+    let lit = clay * (1.0 + variation * tone * (1.0 - smoothstep(0.5, 2.0, width)));
+    // No brick outshines white, unless its clay does.
+    let fired = min(lit, max(clay, vec3f(1.0)));
     // Far from the origin, rounding may let a third of a period overlap the next.
     let solid = select(share, min(share, 1.0), period == 3);
     return fired * solid + joint * (1.0 - solid);

@@ -20,10 +20,13 @@ fn camouflage(
     var lost = 0.0;
     for (var i = 0u; i < 4u; i++) {
         q = OCTAVE_TURN * q + OCTAVE_SHIFT;
-        let seen = exp(-0.35 * width * width);
+        let blur = 0.35 * width * width;
+        let seen = exp(-blur);
         field += 2.5 * amplitude * seen * vectorNoise(q);
         whole += amplitude * amplitude;
-        lost += amplitude * amplitude * (1.0 - seen * seen);
+        // For next to no width, 1 - seen² is the rounding of the exponential, and its root would show.
+        let hidden = select(1.0 - seen * seen, 2.0 * blur * (1.0 - blur), blur < 1e-3);
+        lost += amplitude * amplitude * hidden;
         amplitude *= roughness;
         width *= 2.0;
         q *= 2.0;

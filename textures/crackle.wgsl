@@ -17,7 +17,10 @@ fn crackle(
     // those of other cells nearly the same.
     let solid = 1.0 - width;
     let seen = 1.0 - smoothstep(0.4, 1.5, pixel);
-    let share = mix(1.0 - solid * solid * solid, (ends.y - ends.x) / pixel, seen);
+    let covered = min((ends.y - ends.x) / pixel, 1.0);
+    let share = mix(1.0 - solid * solid * solid, covered, seen);
     let tone = variation * seen * tenBits(pcg(near.id.xxxx), 0u).x;
-    return plate * (1.0 + tone) * (1.0 - share) + crack * share;
+    // No plate outshines white, unless its own color does.
+    let dried = min(plate * (1.0 + tone), max(plate, vec3f(1.0)));
+    return dried * (1.0 - share) + crack * share;
 }

@@ -4,6 +4,7 @@
 /// turn_deg = 120, -180 to 180: the turn; red goes towards green
 /// saturation = 1, 0 to 4: strength of the color; 0 leaves a grey
 /// brightness = 1, 0 to 4: factor of its luminance
+/// gives 0 to 19.27
 fn hue(at: Surface, of_: vec3f, turn_deg: f32, saturation: f32, brightness: f32) -> vec3f {
     // A rotation about the axis of greys, then a shear that brings the luminance back (Haeberli, Matrix
     // Operations for Image Processing, 1993).

@@ -6,6 +6,7 @@
 /// to_low = 0.2, -10 to 10: what `from_low` becomes
 /// to_high = 0.9, -10 to 10: what `from_high` becomes
 /// clamped = true: whether values beyond the first range stay at the ends of the second
+/// gives -2.2e8 to 2.2e8
 fn remap(
     at: Surface, of_: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32, clamped: bool,
 ) -> f32 {

@@ -18,5 +18,7 @@ fn wood(
     let late = year * year * (1.0 - smoothstep(0.86, 1.0, year));
     let share = mix(0.3, late, 1.0 - smoothstep(0.3, 1.0, width));
     let fiber = fractalNoise(p * vec3f(7.0, 7.0, 0.3), 3u, 2.0, 0.7, 7.0 * width) - 0.5;
-    return (light * (1.0 - share) + dark * share) * (1.0 + grain * fiber);
+    let color = light * (1.0 - share) + dark * share;
+    // No fiber outshines white, unless the wood does.
+    return min(color * (1.0 + grain * fiber), max(color, vec3f(1.0)));
 }

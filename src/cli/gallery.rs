@@ -69,7 +69,7 @@ fn tile(function: &Function) -> String {
         background: Gradient(zenith: "#5d88c9", horizon: "#dfe9f5"), ambient: 0.2,
         lights: [Point(position: (4, 6, 5), radius: 0.4)],"##;
     if function.kind == Kind::Shape {
-        let shape = sample::call(function);
+        let shape = sample::shape(function);
         let shape = shape.strip_suffix(')').unwrap_or(&shape);
         let comma = if shape.ends_with('(') { "" } else { ", " };
         return format!(

@@ -48,7 +48,11 @@ fn find(
             let names = library.names(family);
             let unknown = Diagnostic::error(format!("there is no {} `{name}`", family.noun()));
             let problem = unknown.suggest(name, names.iter().map(String::as_str));
-            Failure::Call(format!("{}; {}", problem.message, problem.help.join("; ")))
+            let advice = match problem.help.as_slice() {
+                [] => format!("`raytoy {}s` lists them", family.noun()),
+                help => help.join("; "),
+            };
+            Failure::Call(format!("{}; {advice}", problem.message))
         }
     })
 }

@@ -28,6 +28,12 @@ pub fn texture(function: &Function) -> String {
     }
 }
 
+/// A shape to be looked at: one that a texture can shape has one.
+pub fn shape(function: &Function) -> String {
+    let takes_height = function.traits.places_textures && function.parameter("height").is_some();
+    if takes_height { format!("{}(height: Fbm())", function.name) } else { call(function) }
+}
+
 /// A value in RON that `parameter` takes: the points of the first three make a triangle.
 fn stand_in(parameter: &Parameter, index: usize) -> String {
     let points = [[-1.0, -0.6, 0.0, 1.0], [1.0, -0.6, 0.1, 1.0], [0.2, 0.9, -0.3, 1.0]];

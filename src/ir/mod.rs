@@ -153,8 +153,8 @@ pub struct Object {
     /// The author's words, on one line.
     pub caption: String,
     pub shape: Arc<Function>,
-    /// One for each parameter.
-    pub arguments: Vec<Const>,
+    /// One for each parameter. Those of a shape that gives a distance may vary from point to point.
+    pub arguments: Vec<Value>,
     /// One of [`Scene::materials`].
     pub material: usize,
     /// Where it stands, if it was moved.
@@ -273,6 +273,13 @@ pub enum ToneMap {
 
 /// The most bounces that a scene may ask for.
 pub const MAX_BOUNCES: u32 = 100;
+
+impl Object {
+    /// Whether a texture takes part in its shape.
+    pub fn is_textured(&self) -> bool {
+        self.arguments.iter().any(|argument| !matches!(argument, Value::Const(_)))
+    }
+}
 
 impl Scene {
     /// Whether any material lets light through.

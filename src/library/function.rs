@@ -32,6 +32,8 @@ pub struct Traits {
     pub is_endless: bool,
     /// It has a `nameDistance`, and nothing that finds crossings.
     pub is_distance: bool,
+    /// It has a `nameTexturePoint`: where the textures that shape it are asked for.
+    pub places_textures: bool,
     /// It has a `nameSurface`.
     pub has_surface: bool,
 }

@@ -42,7 +42,12 @@ impl Header<'_> {
         if is_endless {
             self.sibling("Contains", &["p: vec3f"], own, "bool", "it tells inside from outside", problems);
         }
-        Traits { is_open, is_endless, is_distance, has_surface }
+        let places_textures = self.signature(&format!("{}TexturePoint", self.wgsl_name)).is_some();
+        if places_textures {
+            let gives = "it gives the point at which the textures that shape it are asked for";
+            self.sibling("TexturePoint", &["p: vec3f"], &[], "vec3f", gives, problems);
+        }
+        Traits { is_open, is_endless, is_distance, places_textures, has_surface }
     }
 
     /// Reports that `nameSUFFIX` is missing, or takes something else than `first` and the shape's parameters.

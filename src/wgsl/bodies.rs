@@ -77,6 +77,7 @@ impl Writer<'_> {
             lines.extend(self.combinations(&body.solid, &objects));
         }
         lines.extend(self.surfaces(&objects));
+        lines.extend(self.marches(&objects));
         lines
     }
 

@@ -1,69 +1,141 @@
 //! Crossings and surfaces of shapes that give only a distance.
 
 use super::Writer;
-use super::code::{Code, Lines};
+use super::code::{self, Code, Lines};
+use super::objects::WrittenObject;
+use super::values::Body;
+use crate::ir::Value;
 use crate::library::Function;
+
+/// What has a distance: a shape with its parameters, or an object whose shape takes textures.
+struct Field {
+    name: String,
+    /// As functions declare them, and as they pass them on.
+    parameters: Vec<Code>,
+    arguments: Vec<Code>,
+    has_surface: bool,
+}
 
 impl Writer<'_> {
     /// For each such shape what the others bring along: a function of a ray, and one of a point.
-    pub fn marches(&self) -> Lines {
+    pub fn marches(&mut self, objects: &[WrittenObject]) -> Lines {
         let mut lines = Lines::default();
-        for shape in self.used.iter().filter(|f| f.traits.is_distance) {
-            lines.extend(crossing(shape));
-            if !shape.traits.has_surface {
-                lines.extend(surface(shape));
+        let mut fields: Vec<Field> = vec![];
+        for (index, object) in self.scene.objects.iter().enumerate() {
+            if object.is_textured() {
+                let name = self.field_names[index].clone();
+                lines.extend(self.textured(index, &name, &objects[index]));
+                fields.push(Field { name, parameters: vec![], arguments: vec![], has_surface: false });
+            } else if object.shape.traits.is_distance {
+                let field = Field::of(&object.shape);
+                if fields.iter().all(|known| known.name != field.name) {
+                    fields.push(field);
+                }
+            }
+        }
+        for field in &fields {
+            lines.extend(field.crossing());
+            if !field.has_surface {
+                lines.extend(field.surface());
             }
         }
         lines
     }
+
+    /// The distance to an object, with the textures that it takes, and the box that holds it.
+    fn textured(&mut self, index: usize, name: &str, written: &WrittenObject) -> Lines {
+        let scene = self.scene;
+        let object = &scene.objects[index];
+        let mut body = Body::default();
+        let mut arguments = vec![Code::atom("p")];
+        for (argument, constant) in object.arguments.iter().zip(&written.arguments) {
+            arguments.push(match argument {
+                Value::Const(_) => constant.clone(),
+                varying => self.value(varying, "at", &mut body, 4),
+            });
+        }
+        let shape = &object.shape.wgsl_name;
+        let mut lines = Lines::default();
+        lines.push("");
+        let doc = format!("/// The distance to \"{}\", with the textures that shape it.", object.name);
+        lines.push(code::one_line(&doc));
+        lines.push(format!("fn {name}Distance(p: vec3f) -> f32 {{"));
+        let place = match object.shape.traits.places_textures {
+            true => format!("{shape}TexturePoint(p)"),
+            false => "p".into(),
+        };
+        lines.push(format!("    let place = {place};"));
+        lines.push("    let at = surface(place, vec3f(0.0, 1.0, 0.0), place.xz);");
+        lines.extend(body.lines);
+        lines.statement(4, "return ", &Code::call(format!("{shape}Distance"), arguments), ";");
+        lines.push("}");
+        lines.push("");
+        lines.push(format!("fn {name}Bounds() -> Bounds {{"));
+        let bounds = Code::call(format!("{shape}Bounds"), written.arguments.iter().cloned());
+        lines.statement(4, "return ", &bounds, ";");
+        lines.push("}");
+        lines
+    }
 }
 
-fn crossing(shape: &Function) -> Lines {
-    let name = &shape.wgsl_name;
-    let mut lines = Lines::default();
-    lines.push("");
-    lines.push(format!("/// Where `ray` first changes sides of {name}Distance."));
-    lines.statement(0, "fn ", &Code::call(name, parameters("ray: Ray", shape)), " -> f32 {");
-    let bounds = Code::call(format!("{name}Bounds"), arguments(shape));
-    lines.statement(4, "var march = ", &Code::call("marchFrom", [Code::atom("ray"), bounds]), ";");
-    lines.push("    for (var i = 0u; march.t < march.end && i < MARCH_STEPS; i++) {");
-    lines.push("        let p = ray.origin + march.t * ray.direction;");
-    let distance =
-        Code::call(format!("{name}Distance"), [Code::atom("p")].into_iter().chain(arguments(shape)));
-    lines.statement(8, "if !", &Code::call("marches", [Code::atom("&march"), distance]), " { break; }");
-    lines.push("    }");
-    lines.push("    return marched(ray, march);");
-    lines.push("}");
-    lines
-}
+impl Field {
+    fn of(shape: &Function) -> Self {
+        let parameters = shape.parameters.iter();
+        // An author's names must not meet those of the locals.
+        let given = |name: &str| format!("given_{name}");
+        let declared = parameters.clone().map(|p| format!("{}: {}", given(&p.name), p.ty.wgsl()));
+        Self {
+            name: shape.wgsl_name.clone(),
+            parameters: declared.map(Code::atom).collect(),
+            arguments: parameters.map(|p| Code::atom(given(&p.name))).collect(),
+            has_surface: shape.traits.has_surface,
+        }
+    }
 
-fn surface(shape: &Function) -> Lines {
-    let name = &shape.wgsl_name;
-    let mut lines = Lines::default();
-    lines.push("");
-    let head = Code::call(format!("{name}Surface"), parameters("p: vec3f", shape));
-    lines.statement(0, "fn ", &head, " -> Surface {");
-    let bounds = Code::call(format!("{name}Bounds"), arguments(shape));
-    lines.statement(4, "let step = ", &Code::call("normalStep", [bounds]), ";");
-    lines.push("    var slope = vec3f(0.0, 1e-20, 0.0);");
-    lines.push("    for (var i = 0u; i < 4u; i++) {");
-    lines.push("        let corner = tetrahedronCorner(i);");
-    let beside = [Code::atom("p + step * corner")];
-    let distance = Code::call(format!("{name}Distance"), beside.into_iter().chain(arguments(shape)));
-    lines.statement(8, "slope += corner * ", &distance, ";");
-    lines.push("    }");
-    lines.push("    let normal = normalize(slope);");
-    lines.push("    return surface(p, normal, p * flatTangents(normal));");
-    lines.push("}");
-    lines
-}
+    /// `nameSUFFIX` with `first` before the other arguments.
+    fn call(&self, suffix: &str, first: Option<&str>) -> Code {
+        let first = first.map(Code::atom).into_iter();
+        Code::call(format!("{}{suffix}", self.name), first.chain(self.arguments.iter().cloned()))
+    }
 
-/// The parameters as the shape's own file declares them.
-fn parameters(first: &str, shape: &Function) -> Vec<Code> {
-    let own = shape.parameters.iter().map(|p| Code::atom(format!("{}: {}", p.wgsl_name, p.ty.wgsl())));
-    [Code::atom(first)].into_iter().chain(own).collect()
-}
+    /// The same as functions are declared.
+    fn declared(&self, suffix: &str, first: &str) -> Code {
+        let parameters = [Code::atom(first)].into_iter().chain(self.parameters.iter().cloned());
+        Code::call(format!("{}{suffix}", self.name), parameters)
+    }
 
-fn arguments(shape: &Function) -> Vec<Code> {
-    shape.parameters.iter().map(|p| Code::atom(&p.wgsl_name)).collect()
+    fn crossing(&self) -> Lines {
+        let mut lines = Lines::default();
+        lines.push("");
+        lines.push(format!("/// Where `ray` first changes sides of {}Distance.", self.name));
+        lines.statement(0, "fn ", &self.declared("", "ray: Ray"), " -> f32 {");
+        let start = Code::call("marchFrom", [Code::atom("ray"), self.call("Bounds", None)]);
+        lines.statement(4, "var march = ", &start, ";");
+        lines.push("    for (var i = 0u; march.t < march.end && i < MARCH_STEPS; i++) {");
+        lines.push("        let p = ray.origin + march.t * ray.direction;");
+        let step = Code::call("marches", [Code::atom("&march"), self.call("Distance", Some("p"))]);
+        lines.statement(8, "if !", &step, " { break; }");
+        lines.push("    }");
+        lines.push("    return marched(ray, march);");
+        lines.push("}");
+        lines
+    }
+
+    fn surface(&self) -> Lines {
+        let mut lines = Lines::default();
+        lines.push("");
+        lines.statement(0, "fn ", &self.declared("Surface", "p: vec3f"), " -> Surface {");
+        let step = Code::call("normalStep", [self.call("Bounds", None)]);
+        lines.statement(4, "let step = ", &step, ";");
+        lines.push("    var slope = vec3f(0.0, 1e-20, 0.0);");
+        lines.push("    for (var i = 0u; i < 4u; i++) {");
+        lines.push("        let corner = tetrahedronCorner(i);");
+        let distance = self.call("Distance", Some("p + step * corner"));
+        lines.statement(8, "slope += corner * ", &distance, ";");
+        lines.push("    }");
+        lines.push("    let normal = normalize(slope);");
+        lines.push("    return surface(p, normal, p * flatTangents(normal));");
+        lines.push("}");
+        lines
+    }
 }

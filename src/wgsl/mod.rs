@@ -89,7 +89,6 @@ pub fn generate(scene: &ir::Scene, mode: Mode) -> Source {
     let mut text = writer.header();
     text.extend(writer.constants());
     text.extend(bodies);
-    text.extend(writer.marches());
     text.extend(writer.images());
     text.extend(materials);
     text.extend(lights);
@@ -107,6 +106,8 @@ struct Writer<'a> {
     numbers: Numbers,
     /// Constants of the objects: `OBJECT_FLOOR`.
     object_names: Vec<String>,
+    /// Functions of the objects whose shapes take textures.
+    field_names: Vec<String>,
     /// Functions of the combinations, by their names.
     combination_names: BTreeMap<String, String>,
     /// Functions of the materials and textures.
@@ -127,6 +128,7 @@ impl<'a> Writer<'a> {
             mode,
             numbers: Numbers::new(mode),
             object_names,
+            field_names: scene.objects.iter().map(|o| names.function(&o.name, "Field")).collect(),
             combination_names: combinations::function_names(scene, &mut names),
             material_names,
             texture_names,

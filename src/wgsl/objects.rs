@@ -2,7 +2,7 @@
 
 use super::Writer;
 use super::code::{Code, Lines};
-use crate::ir::{Object, Space};
+use crate::ir::{Object, Space, Value};
 use crate::library::Const;
 
 /// The most objects that one function names: naga takes quadratic time over a function's statements.
@@ -32,7 +32,12 @@ pub fn local(space: Option<&Code>, ray: &str) -> Code {
 impl Writer<'_> {
     pub fn object(&mut self, object: &Object) -> WrittenObject {
         self.uses(&object.shape);
-        let arguments = object.arguments.iter().map(|a| self.numbers.constant(*a)).collect();
+        let constants = object.arguments.iter().map(|argument| match argument {
+            Value::Const(constant) => self.numbers.constant(*constant),
+            // What varies is written where the distance is asked for. Bounds take it as 1.
+            _ => Code::call("f32", [Code::atom("1.0")]),
+        });
+        let arguments = constants.collect();
         WrittenObject { arguments, space: object.space.as_ref().map(|rows| self.space(rows)) }
     }
 
@@ -44,7 +49,11 @@ impl Writer<'_> {
 
     /// `function` of `first` and the object's arguments.
     pub fn on_shape(&self, index: usize, suffix: &str, first: Code, written: &WrittenObject) -> Code {
-        let function = format!("{}{suffix}", self.scene.objects[index].shape.wgsl_name);
+        let object = &self.scene.objects[index];
+        if object.is_textured() {
+            return Code::call(format!("{}{suffix}", self.field_names[index]), [first]);
+        }
+        let function = format!("{}{suffix}", object.shape.wgsl_name);
         Code::call(function, [first].into_iter().chain(written.arguments.iter().cloned()))
     }
 
@@ -79,11 +88,9 @@ impl Writer<'_> {
         lines.push("    switch object {");
         for (i, written) in written.iter().enumerate() {
             let index = first + i;
-            let surface = format!("{}Surface", self.scene.objects[index].shape.wgsl_name);
-            let arguments = written.arguments.iter().cloned();
             let inverted = self.scene.objects[index].inverted;
             let on_shape = |p: Code| {
-                let seen = Code::call(&surface, [p].into_iter().chain(arguments));
+                let seen = self.on_shape(index, "Surface", p, written);
                 if inverted { Code::call("inverted", [seen]) } else { seen }
             };
             lines.push(format!("        case {}: {{", self.object_names[index]));

@@ -120,6 +120,8 @@ impl Writer<'_> {
     pub fn textures(&mut self) -> Lines {
         let scene = self.scene;
         let mut reached = BTreeSet::new();
+        let shaping = scene.objects.iter().flat_map(|object| &object.arguments);
+        shaping.for_each(|value| reach(value, scene, &mut reached));
         reach(&scene.background, scene, &mut reached);
         for material in &scene.materials {
             let heights = material.bump.iter().map(|bump| &bump.height);

@@ -1,5 +1,6 @@
 //! How true each shape's crossings and normals are in f32, as a table:
-//! `cargo test --release --test shape_table -- [RAYS]`, for each shape and distance; a million, unless told.
+//! `cargo test --release --test shape_table -- [RAYS] [SHAPE…]`, that many rays for each shape and distance; a
+//! million for all shapes, unless told.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -13,8 +14,10 @@ mod reference;
 use rays::{DISTANCES, SHAPES, Subject, Tally, extent};
 
 fn main() {
-    let count: u64 =
-        std::env::args().filter_map(|argument| argument.parse().ok()).next().unwrap_or(1_000_000);
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let count: u64 = arguments.iter().find_map(|argument| argument.parse().ok()).unwrap_or(1_000_000);
+    let is_wanted = |name: &str| arguments.iter().any(|argument| argument == name);
+    let wants_all = !SHAPES.iter().any(|(name, _)| is_wanted(name));
     let Some(gpu) = common::gpu() else { return };
     println!(
         "{count} rays each. Errors are shares of the distance, or of the shape's radius where that is more; \
@@ -26,7 +29,7 @@ fn main() {
          | at its own point |"
     );
     println!("|---|--:|--:|--:|--:|--:|--:|--:|--:|");
-    for (name, calls) in SHAPES {
+    for (name, calls) in SHAPES.into_iter().filter(|(name, _)| wants_all || is_wanted(name)) {
         let subjects: Vec<Subject> = calls.iter().map(|call| Subject::new(gpu, *call)).collect();
         for distance in DISTANCES {
             let mut tally = Tally::default();

@@ -13,6 +13,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
 use raytoy::gpu::{Gpu, Moment, Probe, Ray};
+use raytoy::ir::Value;
 use raytoy::library::Const;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
@@ -163,9 +164,9 @@ impl Subject {
     }
 }
 
-fn vector(argument: &Const) -> Option<DVec3> {
+fn vector(argument: &Value) -> Option<DVec3> {
     match argument {
-        Const::Vec3(v) => Some(v.as_dvec3()),
+        Value::Const(Const::Vec3(v)) => Some(v.as_dvec3()),
         _ => None,
     }
 }

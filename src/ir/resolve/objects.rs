@@ -9,7 +9,7 @@ use super::Resolver;
 use super::placement::into_space;
 use super::reader::Fields;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{Body, Combination, Object, Operation, Solid};
+use crate::ir::{Body, Combination, Object, Operation, Solid, Value};
 use crate::library::Family;
 use crate::scene::{self, Kind, Name, Record};
 
@@ -144,8 +144,10 @@ impl Resolver<'_> {
         let mut arguments = vec![];
         for parameter in &shape.parameters {
             let argument = match fields.get(&parameter.name) {
-                Some(value) => self.constant(parameter, value).or(parameter.default),
-                None => parameter.default,
+                // A distance is asked for at points, and so are textures.
+                Some(value) if shape.traits.is_distance => self.argument(parameter, value),
+                Some(value) => self.constant(parameter, value).or(parameter.default).map(Value::Const),
+                None => parameter.default.map(Value::Const),
             };
             if argument.is_none() && !fields.has(&parameter.name) {
                 self.error(&written.span, format!("`{}` needs `{}`", shape.name, parameter.name));

@@ -217,7 +217,8 @@ impl<'a> Resolver<'a> {
         complete.then_some(Call { function, at, arguments })
     }
 
-    fn argument(&mut self, parameter: &Parameter, given: &scene::Value) -> Option<Value> {
+    /// The value of a parameter that may vary from point to point.
+    pub fn argument(&mut self, parameter: &Parameter, given: &scene::Value) -> Option<Value> {
         let varies = match given.kind {
             Written::Record(Record { name: Some(_), .. }) => parameter.choices.is_empty(),
             Written::Text(_) => parameter.is_color || parameter.ty == Type::F32 || parameter.ty == Type::Vec3,

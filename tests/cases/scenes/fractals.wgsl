@@ -190,91 +190,176 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
 }
 
 /// Where `ray` first changes sides of mengerSpongeDistance.
-fn mengerSponge(ray: Ray, center: vec3f, size: f32, levels: u32) -> f32 {
-    var march = marchFrom(ray, mengerSpongeBounds(center, size, levels));
+fn mengerSponge(ray: Ray, given_center: vec3f, given_size: f32, given_levels: u32) -> f32 {
+    var march = marchFrom(ray, mengerSpongeBounds(given_center, given_size, given_levels));
     for (var i = 0u; march.t < march.end && i < MARCH_STEPS; i++) {
         let p = ray.origin + march.t * ray.direction;
-        if !marches(&march, mengerSpongeDistance(p, center, size, levels)) { break; }
+        if !marches(
+            &march,
+            mengerSpongeDistance(p, given_center, given_size, given_levels),
+        ) { break; }
     }
     return marched(ray, march);
 }
 
-fn mengerSpongeSurface(p: vec3f, center: vec3f, size: f32, levels: u32) -> Surface {
-    let step = normalStep(mengerSpongeBounds(center, size, levels));
+fn mengerSpongeSurface(
+    p: vec3f,
+    given_center: vec3f,
+    given_size: f32,
+    given_levels: u32,
+) -> Surface {
+    let step = normalStep(mengerSpongeBounds(given_center, given_size, given_levels));
     var slope = vec3f(0.0, 1e-20, 0.0);
     for (var i = 0u; i < 4u; i++) {
         let corner = tetrahedronCorner(i);
-        slope += corner * mengerSpongeDistance(p + step * corner, center, size, levels);
+        slope += corner * mengerSpongeDistance(
+            p + step * corner,
+            given_center,
+            given_size,
+            given_levels,
+        );
     }
     let normal = normalize(slope);
     return surface(p, normal, p * flatTangents(normal));
 }
 
 /// Where `ray` first changes sides of mandelbulbDistance.
-fn mandelbulb(ray: Ray, center: vec3f, size: f32, power: f32, iterations: u32) -> f32 {
-    var march = marchFrom(ray, mandelbulbBounds(center, size, power, iterations));
+fn mandelbulb(
+    ray: Ray,
+    given_center: vec3f,
+    given_size: f32,
+    given_power: f32,
+    given_iterations: u32,
+) -> f32 {
+    var march = marchFrom(
+        ray,
+        mandelbulbBounds(given_center, given_size, given_power, given_iterations),
+    );
     for (var i = 0u; march.t < march.end && i < MARCH_STEPS; i++) {
         let p = ray.origin + march.t * ray.direction;
-        if !marches(&march, mandelbulbDistance(p, center, size, power, iterations)) { break; }
+        if !marches(
+            &march,
+            mandelbulbDistance(p, given_center, given_size, given_power, given_iterations),
+        ) { break; }
     }
     return marched(ray, march);
 }
 
-fn mandelbulbSurface(p: vec3f, center: vec3f, size: f32, power: f32, iterations: u32) -> Surface {
-    let step = normalStep(mandelbulbBounds(center, size, power, iterations));
+fn mandelbulbSurface(
+    p: vec3f,
+    given_center: vec3f,
+    given_size: f32,
+    given_power: f32,
+    given_iterations: u32,
+) -> Surface {
+    let step = normalStep(
+        mandelbulbBounds(given_center, given_size, given_power, given_iterations),
+    );
     var slope = vec3f(0.0, 1e-20, 0.0);
     for (var i = 0u; i < 4u; i++) {
         let corner = tetrahedronCorner(i);
-        slope += corner * mandelbulbDistance(p + step * corner, center, size, power, iterations);
+        slope += corner * mandelbulbDistance(
+            p + step * corner,
+            given_center,
+            given_size,
+            given_power,
+            given_iterations,
+        );
     }
     let normal = normalize(slope);
     return surface(p, normal, p * flatTangents(normal));
 }
 
 /// Where `ray` first changes sides of gyroidDistance.
-fn gyroid(ray: Ray, center: vec3f, radius: f32, period: f32, thickness: f32) -> f32 {
-    var march = marchFrom(ray, gyroidBounds(center, radius, period, thickness));
+fn gyroid(
+    ray: Ray,
+    given_center: vec3f,
+    given_radius: f32,
+    given_period: f32,
+    given_thickness: f32,
+) -> f32 {
+    var march = marchFrom(
+        ray,
+        gyroidBounds(given_center, given_radius, given_period, given_thickness),
+    );
     for (var i = 0u; march.t < march.end && i < MARCH_STEPS; i++) {
         let p = ray.origin + march.t * ray.direction;
-        if !marches(&march, gyroidDistance(p, center, radius, period, thickness)) { break; }
+        if !marches(
+            &march,
+            gyroidDistance(p, given_center, given_radius, given_period, given_thickness),
+        ) { break; }
     }
     return marched(ray, march);
 }
 
-fn gyroidSurface(p: vec3f, center: vec3f, radius: f32, period: f32, thickness: f32) -> Surface {
-    let step = normalStep(gyroidBounds(center, radius, period, thickness));
+fn gyroidSurface(
+    p: vec3f,
+    given_center: vec3f,
+    given_radius: f32,
+    given_period: f32,
+    given_thickness: f32,
+) -> Surface {
+    let step = normalStep(gyroidBounds(given_center, given_radius, given_period, given_thickness));
     var slope = vec3f(0.0, 1e-20, 0.0);
     for (var i = 0u; i < 4u; i++) {
         let corner = tetrahedronCorner(i);
-        slope += corner * gyroidDistance(p + step * corner, center, radius, period, thickness);
+        slope += corner * gyroidDistance(
+            p + step * corner,
+            given_center,
+            given_radius,
+            given_period,
+            given_thickness,
+        );
     }
     let normal = normalize(slope);
     return surface(p, normal, p * flatTangents(normal));
 }
 
 /// Where `ray` first changes sides of smoothBallsDistance.
-fn smoothBalls(ray: Ray, a: vec3f, b: vec3f, radius_a: f32, radius_b: f32, blend: f32) -> f32 {
-    var march = marchFrom(ray, smoothBallsBounds(a, b, radius_a, radius_b, blend));
+fn smoothBalls(
+    ray: Ray,
+    given_a: vec3f,
+    given_b: vec3f,
+    given_radius_a: f32,
+    given_radius_b: f32,
+    given_blend: f32,
+) -> f32 {
+    var march = marchFrom(
+        ray,
+        smoothBallsBounds(given_a, given_b, given_radius_a, given_radius_b, given_blend),
+    );
     for (var i = 0u; march.t < march.end && i < MARCH_STEPS; i++) {
         let p = ray.origin + march.t * ray.direction;
-        if !marches(&march, smoothBallsDistance(p, a, b, radius_a, radius_b, blend)) { break; }
+        if !marches(
+            &march,
+            smoothBallsDistance(p, given_a, given_b, given_radius_a, given_radius_b, given_blend),
+        ) { break; }
     }
     return marched(ray, march);
 }
 
 fn smoothBallsSurface(
     p: vec3f,
-    a: vec3f,
-    b: vec3f,
-    radius_a: f32,
-    radius_b: f32,
-    blend: f32,
+    given_a: vec3f,
+    given_b: vec3f,
+    given_radius_a: f32,
+    given_radius_b: f32,
+    given_blend: f32,
 ) -> Surface {
-    let step = normalStep(smoothBallsBounds(a, b, radius_a, radius_b, blend));
+    let step = normalStep(
+        smoothBallsBounds(given_a, given_b, given_radius_a, given_radius_b, given_blend),
+    );
     var slope = vec3f(0.0, 1e-20, 0.0);
     for (var i = 0u; i < 4u; i++) {
         let corner = tetrahedronCorner(i);
-        slope += corner * smoothBallsDistance(p + step * corner, a, b, radius_a, radius_b, blend);
+        slope += corner * smoothBallsDistance(
+            p + step * corner,
+            given_a,
+            given_b,
+            given_radius_a,
+            given_radius_b,
+            given_blend,
+        );
     }
     let normal = normalize(slope);
     return surface(p, normal, p * flatTangents(normal));

@@ -184,49 +184,71 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
 }
 
 /// Where `ray` first changes sides of pebbleDistance.
-fn pebble(ray: Ray, min_: vec3f, max_: vec3f, radius: f32) -> f32 {
-    var march = marchFrom(ray, pebbleBounds(min_, max_, radius));
+fn pebble(ray: Ray, given_min: vec3f, given_max: vec3f, given_radius: f32) -> f32 {
+    var march = marchFrom(ray, pebbleBounds(given_min, given_max, given_radius));
     for (var i = 0u; march.t < march.end && i < MARCH_STEPS; i++) {
         let p = ray.origin + march.t * ray.direction;
-        if !marches(&march, pebbleDistance(p, min_, max_, radius)) { break; }
+        if !marches(&march, pebbleDistance(p, given_min, given_max, given_radius)) { break; }
     }
     return marched(ray, march);
 }
 
-fn pebbleSurface(p: vec3f, min_: vec3f, max_: vec3f, radius: f32) -> Surface {
-    let step = normalStep(pebbleBounds(min_, max_, radius));
+fn pebbleSurface(p: vec3f, given_min: vec3f, given_max: vec3f, given_radius: f32) -> Surface {
+    let step = normalStep(pebbleBounds(given_min, given_max, given_radius));
     var slope = vec3f(0.0, 1e-20, 0.0);
     for (var i = 0u; i < 4u; i++) {
         let corner = tetrahedronCorner(i);
-        slope += corner * pebbleDistance(p + step * corner, min_, max_, radius);
+        slope += corner * pebbleDistance(p + step * corner, given_min, given_max, given_radius);
     }
     let normal = normalize(slope);
     return surface(p, normal, p * flatTangents(normal));
 }
 
 /// Where `ray` first changes sides of smoothBallsDistance.
-fn smoothBalls(ray: Ray, a: vec3f, b: vec3f, radius_a: f32, radius_b: f32, blend: f32) -> f32 {
-    var march = marchFrom(ray, smoothBallsBounds(a, b, radius_a, radius_b, blend));
+fn smoothBalls(
+    ray: Ray,
+    given_a: vec3f,
+    given_b: vec3f,
+    given_radius_a: f32,
+    given_radius_b: f32,
+    given_blend: f32,
+) -> f32 {
+    var march = marchFrom(
+        ray,
+        smoothBallsBounds(given_a, given_b, given_radius_a, given_radius_b, given_blend),
+    );
     for (var i = 0u; march.t < march.end && i < MARCH_STEPS; i++) {
         let p = ray.origin + march.t * ray.direction;
-        if !marches(&march, smoothBallsDistance(p, a, b, radius_a, radius_b, blend)) { break; }
+        if !marches(
+            &march,
+            smoothBallsDistance(p, given_a, given_b, given_radius_a, given_radius_b, given_blend),
+        ) { break; }
     }
     return marched(ray, march);
 }
 
 fn smoothBallsSurface(
     p: vec3f,
-    a: vec3f,
-    b: vec3f,
-    radius_a: f32,
-    radius_b: f32,
-    blend: f32,
+    given_a: vec3f,
+    given_b: vec3f,
+    given_radius_a: f32,
+    given_radius_b: f32,
+    given_blend: f32,
 ) -> Surface {
-    let step = normalStep(smoothBallsBounds(a, b, radius_a, radius_b, blend));
+    let step = normalStep(
+        smoothBallsBounds(given_a, given_b, given_radius_a, given_radius_b, given_blend),
+    );
     var slope = vec3f(0.0, 1e-20, 0.0);
     for (var i = 0u; i < 4u; i++) {
         let corner = tetrahedronCorner(i);
-        slope += corner * smoothBallsDistance(p + step * corner, a, b, radius_a, radius_b, blend);
+        slope += corner * smoothBallsDistance(
+            p + step * corner,
+            given_a,
+            given_b,
+            given_radius_a,
+            given_radius_b,
+            given_blend,
+        );
     }
     let normal = normalize(slope);
     return surface(p, normal, p * flatTangents(normal));
