@@ -46,27 +46,28 @@ fn roundedConeSide(nearest: vec3f, direction: vec3f, half_axis: vec3f, radii: ve
     if enter > leave || cosine == 0.0 {
         return nowhere;
     }
-    // Solved from where the ray is nearest to the axis, a thin cone keeps its digits too.
+    // Solved as in cone.wgsl, with all that is across seen along the side: times its cosine.
+    let height = dot(nearest, axis);
+    let across = nearest - height * axis;
     let drift = direction - rise * axis;
-    let start = clamp(-dot(nearest, drift) / max(dot(drift, drift), 1e-24), enter, leave);
-    let p = nearest + start * direction;
-    let height = dot(p, axis);
-    // |across + t tilted| = radius + t growth, where all are seen along the side: times its cosine.
-    let across = cosine * (p - height * axis);
-    let tilted = cosine * drift;
-    let radius = mean - sine * height;
+    let closest = -dot(across, drift) / max(dot(drift, drift), 1e-24);
+    let offset = cosine * (across + closest * drift);
+    let start = clamp(closest, enter, leave);
+    let speed = cosine * max(length(drift), 1e-12);
+    let along = (start - closest) * speed;
+    let radius = mean - sine * (height + start * rise);
     let growth = -sine * rise;
-    let c = dot(across, across) - radius * radius;
-    let b = dot(across, tilted) - radius * growth;
-    let curvature = dot(tilted, tilted) - growth * growth;
-    let a = select(curvature, 1e-20, abs(curvature) < 1e-20);
-    let slant = radius * tilted - growth * across;
-    let swirl = cross(across, tilted);
-    // b² - a c would cancel at a tip (as in cone.wgsl).
-    let discriminant = dot(slant, slant) - dot(swirl, swirl) - (a - curvature) * c;
-    let root = select(-1.0, 1.0, b >= 0.0) * sqrt(max(discriminant, 0.0));
+    let curvature = (speed - growth) * (speed + growth);
+    let offset2 = dot(offset, offset);
+    let slant = radius * speed - growth * along;
+    let discriminant = slant * slant - curvature * offset2;
+    // Along the side a, b and the root are 0 or rounding: the crossings must be far off, not 0 / 0.
+    let a = curvature + select(1e-25, -1e-25, curvature < 0.0);
+    let b = along * speed - radius * growth;
+    let c = offset2 + (along - radius) * (along + radius);
+    let root = select(-1.0, 1.0, b >= 0.0) * (sqrt(max(discriminant, 0.0)) + 1e-20);
     let outer = -b - root;
-    let is_far = outer * outer > abs(a) * (dot(across, across) + radius * radius);
+    let is_far = outer * outer >= abs(curvature) * offset2;
     let inner_t = select(root - b, c, is_far) / select(a, outer, is_far);
     let side = start + select(vec2f(inner_t, outer / a), vec2f(outer / a, inner_t), b >= 0.0);
     // A ray steeper than the side crosses it once, and the mirrored cone beyond the tip once.
