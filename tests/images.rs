@@ -11,7 +11,7 @@ use raytoy::gpu::{Gpu, View};
 use raytoy::wgsl::Mode;
 
 /// Pictures beside their scenes in `tests/cases/`.
-const PICTURES: [&str; 16] = [
+const PICTURES: [&str; 17] = [
     "geometry/round",
     "geometry/flat",
     "geometry/edged",
@@ -19,6 +19,7 @@ const PICTURES: [&str; 16] = [
     "geometry/inside_a_box",
     "objects/transforms",
     "patterns/nested",
+    "patterns/image",
     "patterns/triplanar",
     "solids/parts_are_cut_from_parts",
     "solids/distances_are_marched_to",
