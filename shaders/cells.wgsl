@@ -1,6 +1,9 @@
 // Cellular noise (Worley, A Cellular Texture Basis Function, 1996): a lattice with a point at random in
 // each of its cells, and the regions of space nearest to each point.
 
+/// Off the lattice's own planes, where floors and walls would lie between two cells.
+const CELL_SHIFT = vec3f(0.31, 0.23, 0.17);
+
 struct NearestCells {
     /// Distances to the nearest point and to the next, in cells of the lattice.
     f1: f32,
@@ -16,8 +19,7 @@ struct NearestCells {
 /// Without `walls` only the wall between the two nearest points counts; in one place of seven another is
 /// nearer.
 fn nearestCells(position: vec3f, jitter: f32, metric: u32, normal: vec3f, walls: bool) -> NearestCells {
-    // Off the lattice's own planes, where floors and walls would lie between two cells.
-    let p = position + vec3f(0.31, 0.23, 0.17);
+    let p = position + CELL_SHIFT;
     var found = NearestCells(1e9, 1e9, 1e9, vec2u(0u));
     var home = floor(p);
     var nearest = vec3f(0.0);

@@ -31,21 +31,15 @@ struct March {
 }
 
 fn marchFrom(ray: Ray, bounds: Bounds) -> March {
-    let tiny = vec3f(1e-20);
-    let d = select(ray.direction, tiny, abs(ray.direction) < tiny);
     let size = length(bounds.high - bounds.low);
     // A little more than the box, so that a ray starts outside.
     let margin = vec3f(1e-3 * size);
-    let a = (bounds.low - margin - ray.origin) / d;
-    let b = (bounds.high + margin - ray.origin) / d;
-    let near = min(a, b);
-    let far = max(a, b);
+    let span = spanInBounds(ray, bounds.low - margin, bounds.high + margin);
     let pace = 1.0 / length(ray.direction);
     let least = LEAST_STEP * size * pace;
-    let enters = max(max(near.x, near.y), near.z);
     // A ray that starts on the surface is over it when it is asked first.
-    let t = max(enters, ray.t_min + least);
-    let end = min(min(far.x, far.y), min(far.z, ray.t_max));
+    let t = max(span.x, ray.t_min + least);
+    let end = min(span.y, ray.t_max);
     return March(t, end, least, pace, t, t, 0.0, 0.0, 0.0, false);
 }
 

@@ -8,8 +8,6 @@ mod reference;
 use common::expect_none;
 use rays::{Call, DISTANCES, SHAPES, Subject, extent};
 use raytoy::gpu::Gpu;
-use raytoy::library::{Family, Library};
-use raytoy::sources::Sources;
 
 /// For each shape and distance.
 const RAYS: u64 = 2000;
@@ -31,14 +29,8 @@ fn crossings_and_normals_keep_their_digits() {
 
 #[test]
 fn each_shape_has_a_line() {
-    let sources = Sources::in_memory();
-    let library = Library::new(&sources, "".as_ref());
     let is_known = |name: &String| SHAPES.iter().any(|(known, _)| known == name);
-    // The reference solves equations; for what is marched to, tests/solids.rs has laws.
-    let is_solved =
-        |name: &String| library.find(Family::Shape, name).is_ok_and(|function| !function.traits.is_distance);
-    let names = library.names(Family::Shape).into_iter();
-    let missing = names.filter(|name| is_solved(name) && !is_known(name));
+    let missing = common::solved_shapes().into_iter().filter(|name| !is_known(name));
     expect_none(missing.map(|name| format!("{name} has no line in SHAPES")));
 }
 

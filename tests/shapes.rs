@@ -5,8 +5,6 @@ mod reference;
 
 use common::{expect_compiled, expect_none, outcome_of};
 use raytoy::gpu::{Gpu, Moment, Picture, View, render};
-use raytoy::library::{Family, Library};
-use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 
 /// A shape with arguments, and a point inside it, or beside its middle where it has no inside.
@@ -68,14 +66,8 @@ fn crossings_and_normals_are_those_of_the_reference() {
 
 #[test]
 fn each_shape_is_checked() {
-    let sources = Sources::in_memory();
-    let library = Library::new(&sources, "".as_ref());
     let is_checked = |name: &String| SHAPES.iter().any(|(shape, _)| shape.starts_with(&format!("{name}(")));
-    // The reference solves equations; for what is marched to, tests/solids.rs has laws.
-    let is_solved =
-        |name: &String| library.find(Family::Shape, name).is_ok_and(|function| !function.traits.is_distance);
-    let names = library.names(Family::Shape).into_iter();
-    let missing = names.filter(|name| is_solved(name) && !is_checked(name));
+    let missing = common::solved_shapes().into_iter().filter(|name| !is_checked(name));
     expect_none(missing.map(|name| format!("{name} has no line in SHAPES")));
 }
 

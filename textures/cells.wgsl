@@ -20,7 +20,7 @@ fn cells(at: Surface, scale: f32, jitter: f32, first: vec3f, second: vec3f) -> v
 fn cellsMean(at: Surface, scale: f32, jitter: f32, pixel: f32) -> f32 {
     // The stones of nearestCells, each counted by how far its point is along the surface and away from
     // it: what lies deep down hardly shows, however wide the pixel. Fitted to true means.
-    let p = at.position * scale + vec3f(0.31, 0.23, 0.17);
+    let p = at.position * scale + CELL_SHIFT;
     let wide = 0.22 * pixel + 0.08 * pixel * pixel * pixel;
     let deep = 0.25 * pixel * inverseSqrt(pixel * pixel + 0.65);
     var sum = vec2f(0.0);

@@ -85,7 +85,7 @@ impl Writer<'_> {
         let (caption, crossing, t, step, ray) = match &body.solid {
             Solid::Object(index) => {
                 let object = &self.scene.objects[*index];
-                let ray = objects[*index].local("ray");
+                let ray = local(objects[*index].space.as_ref(), "ray");
                 let crossing = self.on_shape(*index, "", ray.clone(), &objects[*index]);
                 let name = Code::atom(&self.object_names[*index]);
                 let step = Code::call("nearer", [Code::atom("hit"), crossing.clone(), name]);

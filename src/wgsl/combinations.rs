@@ -14,6 +14,8 @@ struct Part {
     name: String,
     /// Whether that is the crossing in question.
     turns: String,
+    /// The ray as the part sees it.
+    ray: String,
 }
 
 /// The functions of the combinations, by the author's names for them.
@@ -39,18 +41,24 @@ impl Writer<'_> {
     }
 
     fn combination(&self, combination: &Combination, objects: &[WrittenObject]) -> Lines {
-        let parts = self.parts(combination);
+        // A ray keeps its t in every space, so it is moved once.
+        let mut spaces: Vec<&Code> = vec![];
+        let parts = self.parts(combination, objects, &mut spaces);
         let mut lines = Lines::default();
         lines.push("");
         let head = format!("\"{}\": ", combination.name);
         lines.push(self.caption(0, &head, &combination.caption).replacen("//", "///", 1));
         lines.push(format!("fn {}(ray: Ray) -> Crossing {{", self.combination_names[&combination.name]));
         lines.push("    var rest = ray;");
+        for (i, space) in spaces.iter().enumerate() {
+            let moved = Code::call("rayInto", [(*space).clone(), Code::atom("ray")]);
+            lines.statement(4, &format!("var moved{i} = "), &moved, ";");
+        }
         parts.iter().for_each(|part| lines.push(format!("    var {} = notAsked();", part.name)));
         lines.push("    for (var i = 0u; i < MOST_CROSSINGS; i++) {");
         for (part, solid) in parts.iter().zip(&combination.parts) {
             lines.push(format!("        if {}.t <= rest.t_min {{", part.name));
-            lines.extend(self.ask_part(&part.name, solid, objects));
+            lines.extend(self.ask_part(part, solid, objects));
             lines.push("        }");
         }
         let nearest = parts.iter().map(|part| Code::atom(format!("{}.t", part.name)));
@@ -58,6 +66,7 @@ impl Writer<'_> {
         lines.statement(8, "let t = ", &nearest, ";");
         lines.push("        if t >= NO_HIT { break; }");
         lines.push("        rest.t_min = sameUpTo(t);");
+        (0..spaces.len()).for_each(|i| lines.push(format!("        moved{i}.t_min = rest.t_min;")));
         for part in &parts {
             lines.push(format!("        let {} = {}.t <= rest.t_min;", part.turns, part.name));
         }
@@ -83,22 +92,41 @@ impl Writer<'_> {
         lines
     }
 
-    fn parts(&self, combination: &Combination) -> Vec<Part> {
+    /// The parts, and the spaces that they stand in.
+    fn parts<'o>(
+        &self,
+        combination: &Combination,
+        objects: &'o [WrittenObject],
+        spaces: &mut Vec<&'o Code>,
+    ) -> Vec<Part> {
         let mut names = Names::default();
         let part = |solid: &Solid| {
-            let name = match solid {
-                Solid::Object(index) => &self.scene.objects[*index].name,
-                Solid::Combination(inner) => &inner.name,
+            let (name, space) = match solid {
+                Solid::Object(index) => (&self.scene.objects[*index].name, objects[*index].space.as_ref()),
+                Solid::Combination(inner) => (&inner.name, None),
             };
+            let ray = space.map(|space| {
+                let known = spaces.iter().position(|other| *other == space);
+                let index = known.unwrap_or_else(|| {
+                    spaces.push(space);
+                    spaces.len() - 1
+                });
+                format!("moved{index}")
+            });
             let own = name.strip_prefix(&combination.name).unwrap_or(name);
-            Part { name: names.function(own, "Part"), turns: names.function(own, "Turns") }
+            Part {
+                name: names.function(own, "Part"),
+                turns: names.function(own, "Turns"),
+                ray: ray.unwrap_or_else(|| "rest".into()),
+            }
         };
         combination.parts.iter().map(part).collect()
     }
 
     /// The next crossing of a part with the rest of the ray.
-    fn ask_part(&self, name: &str, solid: &Solid, objects: &[WrittenObject]) -> Lines {
+    fn ask_part(&self, part: &Part, solid: &Solid, objects: &[WrittenObject]) -> Lines {
         let mut lines = Lines::default();
+        let Part { name, ray, .. } = part;
         let index = match solid {
             Solid::Combination(inner) => {
                 lines.push(format!("            {name} = {}(rest);", self.combination_names[&inner.name]));
@@ -107,15 +135,15 @@ impl Writer<'_> {
             Solid::Object(index) => *index,
         };
         let written = &objects[index];
-        lines.statement(12, "let own = ", &written.local("rest"), ";");
-        let t = self.on_shape(index, "", Code::atom("own"), written);
+        let t = self.on_shape(index, "", Code::atom(ray), written);
         lines.statement(12, "let t = ", &t, ";");
-        let surface = self.on_shape(index, "Surface", Code::atom("pointAt(own, t)"), written);
+        let surface = self.on_shape(index, "Surface", Code::atom(format!("pointAt({ray}, t)")), written);
         lines.statement(12, "let on = ", &surface, ";");
         let object = &self.object_names[index];
-        lines.push(format!("            {name} = crossing(own, t, {object}, on.normal);"));
+        lines.push(format!("            {name} = crossing({ray}, t, {object}, on.normal);"));
         if self.scene.objects[index].shape.traits.is_endless {
-            let contains = self.on_shape(index, "Contains", Code::atom("pointBeyond(own)"), written);
+            let contains =
+                self.on_shape(index, "Contains", Code::atom(format!("pointBeyond({ray})")), written);
             lines.statement(12, &format!("if t >= NO_HIT {{ {name}.leaves = "), &contains, "; }");
         }
         lines

@@ -14,13 +14,6 @@ pub struct WrittenObject {
     pub space: Option<Code>,
 }
 
-impl WrittenObject {
-    /// `ray` in the object's space.
-    pub fn local(&self, ray: &str) -> Code {
-        local(self.space.as_ref(), ray)
-    }
-}
-
 /// `ray` in `space`, the world's if there is none.
 pub fn local(space: Option<&Code>, ray: &str) -> Code {
     match space {

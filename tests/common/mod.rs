@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use raytoy::gpu::{AdapterChoice, Gpu, Moment, Picture, View, render};
+use raytoy::library::{Family, Library};
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 use raytoy::{Compiled, Outcome, compile};
@@ -120,6 +121,16 @@ pub fn gpu() -> Option<&'static Gpu> {
         }
     });
     GPU.as_ref()
+}
+
+/// The shapes that find their crossings by equations, as the reference does. For what is marched to,
+/// tests/solids.rs has laws.
+pub fn solved_shapes() -> Vec<String> {
+    let sources = Sources::in_memory();
+    let library = Library::new(&sources, "".as_ref());
+    let is_solved =
+        |name: &String| library.find(Family::Shape, name).is_ok_and(|function| !function.traits.is_distance);
+    library.names(Family::Shape).into_iter().filter(is_solved).collect()
 }
 
 /// One sample of `compiled`, as its own camera sees it.

@@ -101,7 +101,7 @@ impl Resolver<'_> {
     /// The index of the image in the file `path`.
     fn image(&mut self, path: &str, written: &scene::Value) -> Option<usize> {
         let place = self.place(&written.span);
-        match self.library.image(path) {
+        match self.lookup.image(path) {
             Ok(image) => {
                 let known = self.images.iter().position(|i| i.file == image.file);
                 Some(known.unwrap_or_else(|| {

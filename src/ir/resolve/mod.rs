@@ -46,7 +46,8 @@ pub fn resolve(
 struct Resolver<'a> {
     file: &'a str,
     text: &'a str,
-    library: &'a Library<'a>,
+    /// What a scene may name.
+    lookup: &'a Library<'a>,
     problems: Vec<Diagnostic>,
     /// What `textures:` declares, by name.
     declared: BTreeMap<&'a str, &'a scene::Value>,
@@ -62,11 +63,11 @@ struct Resolver<'a> {
 }
 
 impl<'a> Resolver<'a> {
-    fn new(file: &'a str, text: &'a str, library: &'a Library<'a>) -> Self {
+    fn new(file: &'a str, text: &'a str, lookup: &'a Library<'a>) -> Self {
         Self {
             file,
             text,
-            library,
+            lookup,
             problems: vec![],
             declared: BTreeMap::new(),
             pending: vec![],

@@ -171,7 +171,7 @@ impl<'a> Resolver<'a> {
 
     /// The function called `name`, or an error with the nearest known one.
     pub fn function(&mut self, family: Family, name: &scene::Name) -> Option<Arc<Function>> {
-        match self.library.find(family, &name.text) {
+        match self.lookup.find(family, &name.text) {
             Ok(function) => Some(function),
             Err(Some(problems)) => {
                 self.problems.extend(problems);
@@ -179,7 +179,7 @@ impl<'a> Resolver<'a> {
             }
             Err(None) => {
                 let noun = family.noun();
-                let mut known = self.library.names(family);
+                let mut known = self.lookup.names(family);
                 match family {
                     Family::Texture => known.extend(FORMS.map(str::to_owned)),
                     Family::Shape => known.extend(OPERATIONS.map(|(name, _)| name.to_owned())),

@@ -74,45 +74,41 @@ fn sceneBlocks(ray: Ray) -> bool {
 /// "bitten": Difference(translate: (2.1, 0.6, 0.2))
 fn bittenSolid(ray: Ray) -> Crossing {
     var rest = ray;
+    var moved0 = rayInto(
+        Space(vec4f(1.0, 0.0, 0.0, -2.1), vec4f(0.0, 1.0, 0.0, -0.6), vec4f(0.0, 0.0, 1.0, -0.2)),
+        ray,
+    );
     var smoothBalls0Part = notAsked();
     var bitePart = notAsked();
     for (var i = 0u; i < MOST_CROSSINGS; i++) {
         if smoothBalls0Part.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, -2.1),
-                    vec4f(0.0, 1.0, 0.0, -0.6),
-                    vec4f(0.0, 0.0, 1.0, -0.2),
-                ),
-                rest,
-            );
-            let t = smoothBalls(own, vec3f(-0.3, 0.0, 0.0), vec3f(0.45, 0.2, 0.0), 0.6, 0.42, 0.4);
-            let on = smoothBallsSurface(
-                pointAt(own, t),
+            let t = smoothBalls(
+                moved0,
                 vec3f(-0.3, 0.0, 0.0),
                 vec3f(0.45, 0.2, 0.0),
                 0.6,
                 0.42,
                 0.4,
             );
-            smoothBalls0Part = crossing(own, t, OBJECT_BITTEN_SMOOTHBALLS_0, on.normal);
+            let on = smoothBallsSurface(
+                pointAt(moved0, t),
+                vec3f(-0.3, 0.0, 0.0),
+                vec3f(0.45, 0.2, 0.0),
+                0.6,
+                0.42,
+                0.4,
+            );
+            smoothBalls0Part = crossing(moved0, t, OBJECT_BITTEN_SMOOTHBALLS_0, on.normal);
         }
         if bitePart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, -2.1),
-                    vec4f(0.0, 1.0, 0.0, -0.6),
-                    vec4f(0.0, 0.0, 1.0, -0.2),
-                ),
-                rest,
-            );
-            let t = mengerSponge(own, vec3f(0.2, 0.5, 0.5), 1.0, 2u);
-            let on = mengerSpongeSurface(pointAt(own, t), vec3f(0.2, 0.5, 0.5), 1.0, 2u);
-            bitePart = crossing(own, t, OBJECT_BITE, on.normal);
+            let t = mengerSponge(moved0, vec3f(0.2, 0.5, 0.5), 1.0, 2u);
+            let on = mengerSpongeSurface(pointAt(moved0, t), vec3f(0.2, 0.5, 0.5), 1.0, 2u);
+            bitePart = crossing(moved0, t, OBJECT_BITE, on.normal);
         }
         let t = min(smoothBalls0Part.t, bitePart.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(t);
+        moved0.t_min = rest.t_min;
         let smoothBalls0Turns = smoothBalls0Part.t <= rest.t_min;
         let biteTurns = bitePart.t <= rest.t_min;
         let before = smoothBalls0Part.leaves && !bitePart.leaves;

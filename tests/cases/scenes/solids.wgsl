@@ -59,6 +59,14 @@ fn sceneBlocks(ray: Ray) -> bool {
 /// "die": Difference(translate: (-1.9, 1, 0.4), rotate_deg: (0, 28, 0))
 fn dieSolid(ray: Ray) -> Crossing {
     var rest = ray;
+    var moved0 = rayInto(
+        Space(
+            vec4f(0.88294756, 0.0, -0.46947157, 1.865389),
+            vec4f(0.0, 1.0, 0.0, -1.0),
+            vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
+        ),
+        ray,
+    );
     var cubePart = notAsked();
     var onePart = notAsked();
     var twoAPart = notAsked();
@@ -71,82 +79,34 @@ fn dieSolid(ray: Ray) -> Crossing {
             cubePart = cubeSolid(rest);
         }
         if onePart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.88294756, 0.0, -0.46947157, 1.865389),
-                    vec4f(0.0, 1.0, 0.0, -1.0),
-                    vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-                ),
-                rest,
-            );
-            let t = sphere(own, vec3f(0.0, 1.12, 0.0), 0.32);
-            let on = sphereSurface(pointAt(own, t), vec3f(0.0, 1.12, 0.0), 0.32);
-            onePart = crossing(own, t, OBJECT_ONE, on.normal);
+            let t = sphere(moved0, vec3f(0.0, 1.12, 0.0), 0.32);
+            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 1.12, 0.0), 0.32);
+            onePart = crossing(moved0, t, OBJECT_ONE, on.normal);
         }
         if twoAPart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.88294756, 0.0, -0.46947157, 1.865389),
-                    vec4f(0.0, 1.0, 0.0, -1.0),
-                    vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-                ),
-                rest,
-            );
-            let t = sphere(own, vec3f(-0.45, 0.45, 1.1), 0.24);
-            let on = sphereSurface(pointAt(own, t), vec3f(-0.45, 0.45, 1.1), 0.24);
-            twoAPart = crossing(own, t, OBJECT_TWO_A, on.normal);
+            let t = sphere(moved0, vec3f(-0.45, 0.45, 1.1), 0.24);
+            let on = sphereSurface(pointAt(moved0, t), vec3f(-0.45, 0.45, 1.1), 0.24);
+            twoAPart = crossing(moved0, t, OBJECT_TWO_A, on.normal);
         }
         if twoBPart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.88294756, 0.0, -0.46947157, 1.865389),
-                    vec4f(0.0, 1.0, 0.0, -1.0),
-                    vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-                ),
-                rest,
-            );
-            let t = sphere(own, vec3f(0.45, -0.45, 1.1), 0.24);
-            let on = sphereSurface(pointAt(own, t), vec3f(0.45, -0.45, 1.1), 0.24);
-            twoBPart = crossing(own, t, OBJECT_TWO_B, on.normal);
+            let t = sphere(moved0, vec3f(0.45, -0.45, 1.1), 0.24);
+            let on = sphereSurface(pointAt(moved0, t), vec3f(0.45, -0.45, 1.1), 0.24);
+            twoBPart = crossing(moved0, t, OBJECT_TWO_B, on.normal);
         }
         if threeAPart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.88294756, 0.0, -0.46947157, 1.865389),
-                    vec4f(0.0, 1.0, 0.0, -1.0),
-                    vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-                ),
-                rest,
-            );
-            let t = sphere(own, vec3f(1.1, 0.5, -0.5), 0.24);
-            let on = sphereSurface(pointAt(own, t), vec3f(1.1, 0.5, -0.5), 0.24);
-            threeAPart = crossing(own, t, OBJECT_THREE_A, on.normal);
+            let t = sphere(moved0, vec3f(1.1, 0.5, -0.5), 0.24);
+            let on = sphereSurface(pointAt(moved0, t), vec3f(1.1, 0.5, -0.5), 0.24);
+            threeAPart = crossing(moved0, t, OBJECT_THREE_A, on.normal);
         }
         if threeBPart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.88294756, 0.0, -0.46947157, 1.865389),
-                    vec4f(0.0, 1.0, 0.0, -1.0),
-                    vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-                ),
-                rest,
-            );
-            let t = sphere(own, vec3f(1.1, 0.0, 0.0), 0.24);
-            let on = sphereSurface(pointAt(own, t), vec3f(1.1, 0.0, 0.0), 0.24);
-            threeBPart = crossing(own, t, OBJECT_THREE_B, on.normal);
+            let t = sphere(moved0, vec3f(1.1, 0.0, 0.0), 0.24);
+            let on = sphereSurface(pointAt(moved0, t), vec3f(1.1, 0.0, 0.0), 0.24);
+            threeBPart = crossing(moved0, t, OBJECT_THREE_B, on.normal);
         }
         if threeCPart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.88294756, 0.0, -0.46947157, 1.865389),
-                    vec4f(0.0, 1.0, 0.0, -1.0),
-                    vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-                ),
-                rest,
-            );
-            let t = sphere(own, vec3f(1.1, -0.5, 0.5), 0.24);
-            let on = sphereSurface(pointAt(own, t), vec3f(1.1, -0.5, 0.5), 0.24);
-            threeCPart = crossing(own, t, OBJECT_THREE_C, on.normal);
+            let t = sphere(moved0, vec3f(1.1, -0.5, 0.5), 0.24);
+            let on = sphereSurface(pointAt(moved0, t), vec3f(1.1, -0.5, 0.5), 0.24);
+            threeCPart = crossing(moved0, t, OBJECT_THREE_C, on.normal);
         }
         let t = min(
             min(
@@ -157,6 +117,7 @@ fn dieSolid(ray: Ray) -> Crossing {
         );
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(t);
+        moved0.t_min = rest.t_min;
         let cubeTurns = cubePart.t <= rest.t_min;
         let oneTurns = onePart.t <= rest.t_min;
         let twoATurns = twoAPart.t <= rest.t_min;
@@ -212,38 +173,31 @@ fn dieSolid(ray: Ray) -> Crossing {
 /// "cube": Intersection()
 fn cubeSolid(ray: Ray) -> Crossing {
     var rest = ray;
+    var moved0 = rayInto(
+        Space(
+            vec4f(0.88294756, 0.0, -0.46947157, 1.865389),
+            vec4f(0.0, 1.0, 0.0, -1.0),
+            vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
+        ),
+        ray,
+    );
     var roundedBox0Part = notAsked();
     var sphere1Part = notAsked();
     for (var i = 0u; i < MOST_CROSSINGS; i++) {
         if roundedBox0Part.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.88294756, 0.0, -0.46947157, 1.865389),
-                    vec4f(0.0, 1.0, 0.0, -1.0),
-                    vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-                ),
-                rest,
-            );
-            let t = roundedBox(own, vec3f(-1.0), vec3f(1.0), 0.12);
-            let on = roundedBoxSurface(pointAt(own, t), vec3f(-1.0), vec3f(1.0), 0.12);
-            roundedBox0Part = crossing(own, t, OBJECT_CUBE_ROUNDEDBOX_0, on.normal);
+            let t = roundedBox(moved0, vec3f(-1.0), vec3f(1.0), 0.12);
+            let on = roundedBoxSurface(pointAt(moved0, t), vec3f(-1.0), vec3f(1.0), 0.12);
+            roundedBox0Part = crossing(moved0, t, OBJECT_CUBE_ROUNDEDBOX_0, on.normal);
         }
         if sphere1Part.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.88294756, 0.0, -0.46947157, 1.865389),
-                    vec4f(0.0, 1.0, 0.0, -1.0),
-                    vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-                ),
-                rest,
-            );
-            let t = sphere(own, vec3f(0.0), 1.5);
-            let on = sphereSurface(pointAt(own, t), vec3f(0.0), 1.5);
-            sphere1Part = crossing(own, t, OBJECT_CUBE_SPHERE_1, on.normal);
+            let t = sphere(moved0, vec3f(0.0), 1.5);
+            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0), 1.5);
+            sphere1Part = crossing(moved0, t, OBJECT_CUBE_SPHERE_1, on.normal);
         }
         let t = min(roundedBox0Part.t, sphere1Part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(t);
+        moved0.t_min = rest.t_min;
         let roundedBox0Turns = roundedBox0Part.t <= rest.t_min;
         let sphere1Turns = sphere1Part.t <= rest.t_min;
         let before = roundedBox0Part.leaves && sphere1Part.leaves;
@@ -289,50 +243,43 @@ fn mugSolid(ray: Ray) -> Crossing {
 /// "cup": Difference()
 fn cupSolid(ray: Ray) -> Crossing {
     var rest = ray;
+    var moved0 = rayInto(
+        Space(
+            vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
+            vec4f(0.0, 1.0, 0.0, 0.0),
+            vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
+        ),
+        ray,
+    );
     var roundedCylinder0Part = notAsked();
     var hollowPart = notAsked();
     for (var i = 0u; i < MOST_CROSSINGS; i++) {
         if roundedCylinder0Part.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
-                ),
-                rest,
-            );
-            let t = roundedCylinder(own, vec3f(0.0), vec3f(0.0, 1.9, 0.0), 0.85, 0.06);
+            let t = roundedCylinder(moved0, vec3f(0.0), vec3f(0.0, 1.9, 0.0), 0.85, 0.06);
             let on = roundedCylinderSurface(
-                pointAt(own, t),
+                pointAt(moved0, t),
                 vec3f(0.0),
                 vec3f(0.0, 1.9, 0.0),
                 0.85,
                 0.06,
             );
-            roundedCylinder0Part = crossing(own, t, OBJECT_CUP_ROUNDEDCYLINDER_0, on.normal);
+            roundedCylinder0Part = crossing(moved0, t, OBJECT_CUP_ROUNDEDCYLINDER_0, on.normal);
         }
         if hollowPart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
-                ),
-                rest,
-            );
-            let t = roundedCylinder(own, vec3f(0.0, 0.12, 0.0), vec3f(0.0, 3.0, 0.0), 0.74, 0.1);
+            let t = roundedCylinder(moved0, vec3f(0.0, 0.12, 0.0), vec3f(0.0, 3.0, 0.0), 0.74, 0.1);
             let on = roundedCylinderSurface(
-                pointAt(own, t),
+                pointAt(moved0, t),
                 vec3f(0.0, 0.12, 0.0),
                 vec3f(0.0, 3.0, 0.0),
                 0.74,
                 0.1,
             );
-            hollowPart = crossing(own, t, OBJECT_HOLLOW, on.normal);
+            hollowPart = crossing(moved0, t, OBJECT_HOLLOW, on.normal);
         }
         let t = min(roundedCylinder0Part.t, hollowPart.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(t);
+        moved0.t_min = rest.t_min;
         let roundedCylinder0Turns = roundedCylinder0Part.t <= rest.t_min;
         let hollowTurns = hollowPart.t <= rest.t_min;
         let before = roundedCylinder0Part.leaves && !hollowPart.leaves;
@@ -352,49 +299,42 @@ fn cupSolid(ray: Ray) -> Crossing {
 /// "handle": Difference()
 fn handleSolid(ray: Ray) -> Crossing {
     var rest = ray;
+    var moved0 = rayInto(
+        Space(
+            vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
+            vec4f(0.0, 1.0, 0.0, 0.0),
+            vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
+        ),
+        ray,
+    );
     var ringPart = notAsked();
     var insidePart = notAsked();
     for (var i = 0u; i < MOST_CROSSINGS; i++) {
         if ringPart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
-                ),
-                rest,
-            );
-            let t = torus(own, vec3f(0.85, 0.95, 0.0), vec3f(0.0, 0.0, 1.0), 0.48, 0.1);
+            let t = torus(moved0, vec3f(0.85, 0.95, 0.0), vec3f(0.0, 0.0, 1.0), 0.48, 0.1);
             let on = torusSurface(
-                pointAt(own, t),
+                pointAt(moved0, t),
                 vec3f(0.85, 0.95, 0.0),
                 vec3f(0.0, 0.0, 1.0),
                 0.48,
                 0.1,
             );
-            ringPart = crossing(own, t, OBJECT_RING, on.normal);
+            ringPart = crossing(moved0, t, OBJECT_RING, on.normal);
         }
         if insidePart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
-                ),
-                rest,
-            );
-            let t = cylinder(own, vec3f(0.0, -1.0, 0.0), vec3f(0.0, 3.0, 0.0), 0.8);
+            let t = cylinder(moved0, vec3f(0.0, -1.0, 0.0), vec3f(0.0, 3.0, 0.0), 0.8);
             let on = cylinderSurface(
-                pointAt(own, t),
+                pointAt(moved0, t),
                 vec3f(0.0, -1.0, 0.0),
                 vec3f(0.0, 3.0, 0.0),
                 0.8,
             );
-            insidePart = crossing(own, t, OBJECT_INSIDE, on.normal);
+            insidePart = crossing(moved0, t, OBJECT_INSIDE, on.normal);
         }
         let t = min(ringPart.t, insidePart.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(t);
+        moved0.t_min = rest.t_min;
         let ringTurns = ringPart.t <= rest.t_min;
         let insideTurns = insidePart.t <= rest.t_min;
         let before = ringPart.leaves && !insidePart.leaves;
@@ -409,6 +349,14 @@ fn handleSolid(ray: Ray) -> Crossing {
 /// "nut": Difference(translate: (0.35, 0, 1.7), rotate_deg: (0, 15, 0))
 fn nutSolid(ray: Ray) -> Crossing {
     var rest = ray;
+    var moved0 = rayInto(
+        Space(
+            vec4f(0.9659258, 0.0, -0.25881904, 0.101918355),
+            vec4f(0.0, 1.0, 0.0, 0.0),
+            vec4f(0.25881904, 0.0, 0.9659258, -1.7326607),
+        ),
+        ray,
+    );
     var blankPart = notAsked();
     var borePart = notAsked();
     for (var i = 0u; i < MOST_CROSSINGS; i++) {
@@ -416,26 +364,19 @@ fn nutSolid(ray: Ray) -> Crossing {
             blankPart = blankSolid(rest);
         }
         if borePart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.9659258, 0.0, -0.25881904, 0.101918355),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.25881904, 0.0, 0.9659258, -1.7326607),
-                ),
-                rest,
-            );
-            let t = cylinder(own, vec3f(0.0, -1.0, 0.0), vec3f(0.0, 2.0, 0.0), 0.42);
+            let t = cylinder(moved0, vec3f(0.0, -1.0, 0.0), vec3f(0.0, 2.0, 0.0), 0.42);
             let on = cylinderSurface(
-                pointAt(own, t),
+                pointAt(moved0, t),
                 vec3f(0.0, -1.0, 0.0),
                 vec3f(0.0, 2.0, 0.0),
                 0.42,
             );
-            borePart = crossing(own, t, OBJECT_BORE, on.normal);
+            borePart = crossing(moved0, t, OBJECT_BORE, on.normal);
         }
         let t = min(blankPart.t, borePart.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(t);
+        moved0.t_min = rest.t_min;
         let blankTurns = blankPart.t <= rest.t_min;
         let boreTurns = borePart.t <= rest.t_min;
         let before = blankPart.leaves && !borePart.leaves;
@@ -450,44 +391,37 @@ fn nutSolid(ray: Ray) -> Crossing {
 /// "blank": Intersection()
 fn blankSolid(ray: Ray) -> Crossing {
     var rest = ray;
+    var moved0 = rayInto(
+        Space(
+            vec4f(0.9659258, 0.0, -0.25881904, 0.101918355),
+            vec4f(0.0, 1.0, 0.0, 0.0),
+            vec4f(0.25881904, 0.0, 0.9659258, -1.7326607),
+        ),
+        ray,
+    );
     var hexPrism0Part = notAsked();
     var turnedPart = notAsked();
     for (var i = 0u; i < MOST_CROSSINGS; i++) {
         if hexPrism0Part.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.9659258, 0.0, -0.25881904, 0.101918355),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.25881904, 0.0, 0.9659258, -1.7326607),
-                ),
-                rest,
-            );
-            let t = hexPrism(own, vec3f(0.0, 0.3, 0.0), vec3f(0.0, 1.0, 0.0), 0.8, 0.6);
+            let t = hexPrism(moved0, vec3f(0.0, 0.3, 0.0), vec3f(0.0, 1.0, 0.0), 0.8, 0.6);
             let on = hexPrismSurface(
-                pointAt(own, t),
+                pointAt(moved0, t),
                 vec3f(0.0, 0.3, 0.0),
                 vec3f(0.0, 1.0, 0.0),
                 0.8,
                 0.6,
             );
-            hexPrism0Part = crossing(own, t, OBJECT_BLANK_HEXPRISM_0, on.normal);
+            hexPrism0Part = crossing(moved0, t, OBJECT_BLANK_HEXPRISM_0, on.normal);
         }
         if turnedPart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.9659258, 0.0, -0.25881904, 0.101918355),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.25881904, 0.0, 0.9659258, -1.7326607),
-                ),
-                rest,
-            );
-            let t = sphere(own, vec3f(0.0, 0.3, 0.0), 0.82);
-            let on = sphereSurface(pointAt(own, t), vec3f(0.0, 0.3, 0.0), 0.82);
-            turnedPart = crossing(own, t, OBJECT_TURNED, on.normal);
+            let t = sphere(moved0, vec3f(0.0, 0.3, 0.0), 0.82);
+            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 0.3, 0.0), 0.82);
+            turnedPart = crossing(moved0, t, OBJECT_TURNED, on.normal);
         }
         let t = min(hexPrism0Part.t, turnedPart.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(t);
+        moved0.t_min = rest.t_min;
         let hexPrism0Turns = hexPrism0Part.t <= rest.t_min;
         let turnedTurns = turnedPart.t <= rest.t_min;
         let before = hexPrism0Part.leaves && turnedPart.leaves;
@@ -506,38 +440,31 @@ fn blankSolid(ray: Ray) -> Crossing {
 /// "lens": Intersection(translate: (2.6, 0.95, 0.6), rotate_deg: (0, 52, 0), casts_shadow: false)
 fn lensSolid(ray: Ray) -> Crossing {
     var rest = ray;
+    var moved0 = rayInto(
+        Space(
+            vec4f(0.6156615, 0.0, -0.7880108, -1.1279134),
+            vec4f(0.0, 1.0, 0.0, -0.95),
+            vec4f(0.7880108, 0.0, 0.6156615, -2.4182248),
+        ),
+        ray,
+    );
     var frontPart = notAsked();
     var backPart = notAsked();
     for (var i = 0u; i < MOST_CROSSINGS; i++) {
         if frontPart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.6156615, 0.0, -0.7880108, -1.1279134),
-                    vec4f(0.0, 1.0, 0.0, -0.95),
-                    vec4f(0.7880108, 0.0, 0.6156615, -2.4182248),
-                ),
-                rest,
-            );
-            let t = sphere(own, vec3f(0.0, 0.0, 1.1), 1.45);
-            let on = sphereSurface(pointAt(own, t), vec3f(0.0, 0.0, 1.1), 1.45);
-            frontPart = crossing(own, t, OBJECT_FRONT, on.normal);
+            let t = sphere(moved0, vec3f(0.0, 0.0, 1.1), 1.45);
+            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 0.0, 1.1), 1.45);
+            frontPart = crossing(moved0, t, OBJECT_FRONT, on.normal);
         }
         if backPart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.6156615, 0.0, -0.7880108, -1.1279134),
-                    vec4f(0.0, 1.0, 0.0, -0.95),
-                    vec4f(0.7880108, 0.0, 0.6156615, -2.4182248),
-                ),
-                rest,
-            );
-            let t = sphere(own, vec3f(0.0, 0.0, -1.1), 1.45);
-            let on = sphereSurface(pointAt(own, t), vec3f(0.0, 0.0, -1.1), 1.45);
-            backPart = crossing(own, t, OBJECT_BACK, on.normal);
+            let t = sphere(moved0, vec3f(0.0, 0.0, -1.1), 1.45);
+            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 0.0, -1.1), 1.45);
+            backPart = crossing(moved0, t, OBJECT_BACK, on.normal);
         }
         let t = min(frontPart.t, backPart.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(t);
+        moved0.t_min = rest.t_min;
         let frontTurns = frontPart.t <= rest.t_min;
         let backTurns = backPart.t <= rest.t_min;
         let before = frontPart.leaves && backPart.leaves;

@@ -47,36 +47,28 @@ fn sceneBlocks(ray: Ray) -> bool {
 /// "dome": Intersection(bounds: (min: (-2, -1, -2), max: (2, 2, 2)), translate: (0, 1, 0))
 fn domeSolid(ray: Ray) -> Crossing {
     var rest = ray;
+    var moved0 = rayInto(
+        Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -1.0), vec4f(0.0, 0.0, 1.0, 0.0)),
+        ray,
+    );
+    var moved1 = rayInto(
+        Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -0.5), vec4f(0.0, 0.0, 1.0, 0.0)),
+        ray,
+    );
     var sphere0Part = notAsked();
     var plane1Part = notAsked();
     for (var i = 0u; i < MOST_CROSSINGS; i++) {
         if sphere0Part.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, 0.0),
-                    vec4f(0.0, 1.0, 0.0, -1.0),
-                    vec4f(0.0, 0.0, 1.0, 0.0),
-                ),
-                rest,
-            );
-            let t = sphere(own, vec3f(0.0), 1.5);
-            let on = sphereSurface(pointAt(own, t), vec3f(0.0), 1.5);
-            sphere0Part = crossing(own, t, OBJECT_DOME_SPHERE_0, on.normal);
+            let t = sphere(moved0, vec3f(0.0), 1.5);
+            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0), 1.5);
+            sphere0Part = crossing(moved0, t, OBJECT_DOME_SPHERE_0, on.normal);
         }
         if plane1Part.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, 0.0),
-                    vec4f(0.0, 1.0, 0.0, -0.5),
-                    vec4f(0.0, 0.0, 1.0, 0.0),
-                ),
-                rest,
-            );
-            let t = plane(own, vec3f(0.0, -1.0, 0.0), 0.0);
-            let on = planeSurface(pointAt(own, t), vec3f(0.0, -1.0, 0.0), 0.0);
-            plane1Part = crossing(own, t, OBJECT_DOME_PLANE_1, on.normal);
+            let t = plane(moved1, vec3f(0.0, -1.0, 0.0), 0.0);
+            let on = planeSurface(pointAt(moved1, t), vec3f(0.0, -1.0, 0.0), 0.0);
+            plane1Part = crossing(moved1, t, OBJECT_DOME_PLANE_1, on.normal);
             if t >= NO_HIT { plane1Part.leaves = planeContains(
-                pointBeyond(own),
+                pointBeyond(moved1),
                 vec3f(0.0, -1.0, 0.0),
                 0.0,
             ); }
@@ -84,6 +76,8 @@ fn domeSolid(ray: Ray) -> Crossing {
         let t = min(sphere0Part.t, plane1Part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(t);
+        moved0.t_min = rest.t_min;
+        moved1.t_min = rest.t_min;
         let sphere0Turns = sphere0Part.t <= rest.t_min;
         let plane1Turns = plane1Part.t <= rest.t_min;
         let before = sphere0Part.leaves && plane1Part.leaves;

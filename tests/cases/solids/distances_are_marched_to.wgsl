@@ -61,50 +61,51 @@ fn sceneBlocks(ray: Ray) -> bool {
 /// "bitten": Difference()
 fn bittenSolid(ray: Ray) -> Crossing {
     var rest = ray;
+    var moved0 = rayInto(
+        Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -0.9), vec4f(0.0, 0.0, 1.0, 1.0)),
+        ray,
+    );
+    var moved1 = rayInto(
+        Space(vec4f(1.0, 0.0, 0.0, 0.6), vec4f(0.0, 1.0, 0.0, -0.9), vec4f(0.0, 0.0, 1.0, 0.2)),
+        ray,
+    );
     var ballsPart = notAsked();
     var pebble1Part = notAsked();
     for (var i = 0u; i < MOST_CROSSINGS; i++) {
         if ballsPart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, 0.0),
-                    vec4f(0.0, 1.0, 0.0, -0.9),
-                    vec4f(0.0, 0.0, 1.0, 1.0),
-                ),
-                rest,
-            );
-            let t = smoothBalls(own, vec3f(-0.6, 0.0, 0.0), vec3f(0.7, 0.3, 0.0), 0.8, 0.55, 0.5);
-            let on = smoothBallsSurface(
-                pointAt(own, t),
+            let t = smoothBalls(
+                moved0,
                 vec3f(-0.6, 0.0, 0.0),
                 vec3f(0.7, 0.3, 0.0),
                 0.8,
                 0.55,
                 0.5,
             );
-            ballsPart = crossing(own, t, OBJECT_BALLS, on.normal);
+            let on = smoothBallsSurface(
+                pointAt(moved0, t),
+                vec3f(-0.6, 0.0, 0.0),
+                vec3f(0.7, 0.3, 0.0),
+                0.8,
+                0.55,
+                0.5,
+            );
+            ballsPart = crossing(moved0, t, OBJECT_BALLS, on.normal);
         }
         if pebble1Part.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, 0.6),
-                    vec4f(0.0, 1.0, 0.0, -0.9),
-                    vec4f(0.0, 0.0, 1.0, 0.2),
-                ),
-                rest,
-            );
-            let t = pebble(own, vec3f(-0.5, 0.0, -0.5), vec3f(0.5, 0.4, 0.5), 0.15);
+            let t = pebble(moved1, vec3f(-0.5, 0.0, -0.5), vec3f(0.5, 0.4, 0.5), 0.15);
             let on = pebbleSurface(
-                pointAt(own, t),
+                pointAt(moved1, t),
                 vec3f(-0.5, 0.0, -0.5),
                 vec3f(0.5, 0.4, 0.5),
                 0.15,
             );
-            pebble1Part = crossing(own, t, OBJECT_BITTEN_PEBBLE_1, on.normal);
+            pebble1Part = crossing(moved1, t, OBJECT_BITTEN_PEBBLE_1, on.normal);
         }
         let t = min(ballsPart.t, pebble1Part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(t);
+        moved0.t_min = rest.t_min;
+        moved1.t_min = rest.t_min;
         let ballsTurns = ballsPart.t <= rest.t_min;
         let pebble1Turns = pebble1Part.t <= rest.t_min;
         let before = ballsPart.leaves && !pebble1Part.leaves;

@@ -56,16 +56,14 @@ fn valleySolid(ray: Ray) -> Crossing {
     var craterPart = notAsked();
     for (var i = 0u; i < MOST_CROSSINGS; i++) {
         if landPart.t <= rest.t_min {
-            let own = rest;
-            let t = landField(own);
-            let on = landFieldSurface(pointAt(own, t));
-            landPart = crossing(own, t, OBJECT_LAND, on.normal);
+            let t = landField(rest);
+            let on = landFieldSurface(pointAt(rest, t));
+            landPart = crossing(rest, t, OBJECT_LAND, on.normal);
         }
         if craterPart.t <= rest.t_min {
-            let own = rest;
-            let t = sphere(own, vec3f(0.6, 0.8, 0.5), 0.7);
-            let on = sphereSurface(pointAt(own, t), vec3f(0.6, 0.8, 0.5), 0.7);
-            craterPart = crossing(own, t, OBJECT_CRATER, on.normal);
+            let t = sphere(rest, vec3f(0.6, 0.8, 0.5), 0.7);
+            let on = sphereSurface(pointAt(rest, t), vec3f(0.6, 0.8, 0.5), 0.7);
+            craterPart = crossing(rest, t, OBJECT_CRATER, on.normal);
         }
         let t = min(landPart.t, craterPart.t);
         if t >= NO_HIT { break; }

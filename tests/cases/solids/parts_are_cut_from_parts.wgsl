@@ -35,6 +35,14 @@ fn sceneBlocks(ray: Ray) -> bool {
 /// "die": Difference(rotate_deg: (0, 20, 0))
 fn dieSolid(ray: Ray) -> Crossing {
     var rest = ray;
+    var moved0 = rayInto(
+        Space(
+            vec4f(0.9396926, 0.0, -0.34202015, 0.0),
+            vec4f(0.0, 1.0, 0.0, 0.0),
+            vec4f(0.34202015, 0.0, 0.9396926, 0.0),
+        ),
+        ray,
+    );
     var bodyPart = notAsked();
     var wellPart = notAsked();
     var cylinder2Part = notAsked();
@@ -43,44 +51,29 @@ fn dieSolid(ray: Ray) -> Crossing {
             bodyPart = bodySolid(rest);
         }
         if wellPart.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.9396926, 0.0, -0.34202015, 0.0),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.34202015, 0.0, 0.9396926, 0.0),
-                ),
-                rest,
-            );
-            let t = cylinder(own, vec3f(0.0, 0.5, 0.0), vec3f(0.0, 2.0, 0.0), 0.6);
+            let t = cylinder(moved0, vec3f(0.0, 0.5, 0.0), vec3f(0.0, 2.0, 0.0), 0.6);
             let on = cylinderSurface(
-                pointAt(own, t),
+                pointAt(moved0, t),
                 vec3f(0.0, 0.5, 0.0),
                 vec3f(0.0, 2.0, 0.0),
                 0.6,
             );
-            wellPart = crossing(own, t, OBJECT_WELL, on.normal);
+            wellPart = crossing(moved0, t, OBJECT_WELL, on.normal);
         }
         if cylinder2Part.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.9396926, 0.0, -0.34202015, 0.0),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.34202015, 0.0, 0.9396926, 0.0),
-                ),
-                rest,
-            );
-            let t = cylinder(own, vec3f(-1.0, 1.0, 0.0), vec3f(1.0, 1.0, 0.0), 0.3);
+            let t = cylinder(moved0, vec3f(-1.0, 1.0, 0.0), vec3f(1.0, 1.0, 0.0), 0.3);
             let on = cylinderSurface(
-                pointAt(own, t),
+                pointAt(moved0, t),
                 vec3f(-1.0, 1.0, 0.0),
                 vec3f(1.0, 1.0, 0.0),
                 0.3,
             );
-            cylinder2Part = crossing(own, t, OBJECT_DIE_CYLINDER_2, on.normal);
+            cylinder2Part = crossing(moved0, t, OBJECT_DIE_CYLINDER_2, on.normal);
         }
         let t = min(min(bodyPart.t, wellPart.t), cylinder2Part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(t);
+        moved0.t_min = rest.t_min;
         let bodyTurns = bodyPart.t <= rest.t_min;
         let wellTurns = wellPart.t <= rest.t_min;
         let cylinder2Turns = cylinder2Part.t <= rest.t_min;
@@ -106,38 +99,31 @@ fn dieSolid(ray: Ray) -> Crossing {
 /// "body": Intersection()
 fn bodySolid(ray: Ray) -> Crossing {
     var rest = ray;
+    var moved0 = rayInto(
+        Space(
+            vec4f(0.9396926, 0.0, -0.34202015, 0.0),
+            vec4f(0.0, 1.0, 0.0, 0.0),
+            vec4f(0.34202015, 0.0, 0.9396926, 0.0),
+        ),
+        ray,
+    );
     var box0Part = notAsked();
     var sphere1Part = notAsked();
     for (var i = 0u; i < MOST_CROSSINGS; i++) {
         if box0Part.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.9396926, 0.0, -0.34202015, 0.0),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.34202015, 0.0, 0.9396926, 0.0),
-                ),
-                rest,
-            );
-            let t = box(own, vec3f(-1.0, 0.0, -1.0), vec3f(1.0, 2.0, 1.0));
-            let on = boxSurface(pointAt(own, t), vec3f(-1.0, 0.0, -1.0), vec3f(1.0, 2.0, 1.0));
-            box0Part = crossing(own, t, OBJECT_BODY_BOX_0, on.normal);
+            let t = box(moved0, vec3f(-1.0, 0.0, -1.0), vec3f(1.0, 2.0, 1.0));
+            let on = boxSurface(pointAt(moved0, t), vec3f(-1.0, 0.0, -1.0), vec3f(1.0, 2.0, 1.0));
+            box0Part = crossing(moved0, t, OBJECT_BODY_BOX_0, on.normal);
         }
         if sphere1Part.t <= rest.t_min {
-            let own = rayInto(
-                Space(
-                    vec4f(0.9396926, 0.0, -0.34202015, 0.0),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.34202015, 0.0, 0.9396926, 0.0),
-                ),
-                rest,
-            );
-            let t = sphere(own, vec3f(0.0, 1.0, 0.0), 1.35);
-            let on = sphereSurface(pointAt(own, t), vec3f(0.0, 1.0, 0.0), 1.35);
-            sphere1Part = crossing(own, t, OBJECT_BODY_SPHERE_1, on.normal);
+            let t = sphere(moved0, vec3f(0.0, 1.0, 0.0), 1.35);
+            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 1.0, 0.0), 1.35);
+            sphere1Part = crossing(moved0, t, OBJECT_BODY_SPHERE_1, on.normal);
         }
         let t = min(box0Part.t, sphere1Part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(t);
+        moved0.t_min = rest.t_min;
         let box0Turns = box0Part.t <= rest.t_min;
         let sphere1Turns = sphere1Part.t <= rest.t_min;
         let before = box0Part.leaves && sphere1Part.leaves;
