@@ -37,7 +37,9 @@ fn probeMaterials(@builtin(global_invocation_id) id: vec3u) {
     // Nothing, as everywhere; and no driver knows it.
     zero = count >> 31u;
     let asked = probe_points[id.x];
-    let at = Surface(asked.position, asked.normal, asked.uv, asked.world, asked.footprint);
+    var at = surface(asked.position, asked.normal, asked.uv);
+    at.world = asked.world;
+    at.footprint = asked.footprint;
     let material = materialAt(asked.object, at);
     probe_looks[id.x] = ProbeLook(material.color, material.emission);
 }

@@ -16,8 +16,10 @@ struct Ray {
 struct Surface {
     /// In the object's space, scene units.
     position: vec3f,
-    /// Outward, length 1, in the object's space.
+    /// Outward, length 1, in the object's space: of the smooth surface, where a model stands for one.
     normal: vec3f,
+    /// The same of the surface itself, by which inside is told from outside.
+    facet: vec3f,
     /// On the surface, scene units where the surface can be unrolled.
     uv: vec2f,
     /// The same point in world space.
@@ -46,7 +48,7 @@ fn nearer(hit: Hit, t: f32, object: u32) -> Hit {
 
 /// The surface at `position`, before anything is known of the world and the pixel.
 fn surface(position: vec3f, normal: vec3f, uv: vec2f) -> Surface {
-    return Surface(position, normal, uv, position, 0.0);
+    return Surface(position, normal, normal, uv, position, 0.0);
 }
 
 /// `t` where it lies on the ray, else NO_HIT.

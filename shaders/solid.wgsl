@@ -45,5 +45,6 @@ fn nearerCrossing(hit: Hit, crossing: Crossing) -> Hit {
 fn inverted(at: Surface) -> Surface {
     var behind = at;
     behind.normal = -at.normal;
+    behind.facet = -at.facet;
     return behind;
 }

@@ -10,8 +10,9 @@ struct Space {
 /// A point of an object: its own view of it, and the world's.
 struct Placed {
     at: Surface,
-    /// Outward, length 1, in world space.
+    /// Outward, length 1, in world space: what light sees, and what tells inside from outside.
     normal: vec3f,
+    facet: vec3f,
     /// Object units to a unit of the world, about.
     scale: f32,
 }
@@ -30,15 +31,17 @@ fn rayInto(space: Space, ray: Ray) -> Ray {
 
 /// A surface of an object that stands in the world as its shape describes it.
 fn placed(at: Surface) -> Placed {
-    return Placed(at, at.normal, 1.0);
+    return Placed(at, at.normal, at.facet, 1.0);
 }
 
 /// A surface of a moved object. A normal goes back by the transpose of the map that points come by.
 fn placedFrom(space: Space, at: Surface, world: vec3f) -> Placed {
-    let normal = at.normal.x * space.x.xyz + at.normal.y * space.y.xyz + at.normal.z * space.z.xyz;
+    let to_world = mat3x3f(space.x.xyz, space.y.xyz, space.z.xyz);
     let volume = abs(dot(space.x.xyz, cross(space.y.xyz, space.z.xyz)));
-    let seen = Surface(at.position, at.normal, at.uv, world, at.footprint);
-    return Placed(seen, normalize(normal), pow(volume, 1.0 / 3.0));
+    var seen = at;
+    seen.world = world;
+    let normal = normalize(to_world * at.normal);
+    return Placed(seen, normal, normalize(to_world * at.facet), pow(volume, 1.0 / 3.0));
 }
 
 /// The point of the unit sphere in `direction`, which is where a background is asked for its color.

@@ -39,8 +39,8 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             let seen_there = looked(hit.object, p, branch.direction, width);
             let met = seen_there.met;
             let material = seen_there.material;
-            let inside = dot(met.normal, v) < 0.0;
-            let facing = select(met.normal, -met.normal, inside);
+            let inside = dot(met.facet, v) < 0.0;
+            let facing = select(met.facet, -met.facet, inside);
             var n = normalAt(hit.object, met);
             n = select(n, -n, inside);
             // A bump may tilt the normal away from the viewer, who then sees the slope edge on.
@@ -63,7 +63,10 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             let refracts = TRANSMITS && deeper && refraction >= MIN_WEIGHT;
             let into = branch.direction;
             if reflects {
-                branch = Branch(outside, reflection, reflect(into, n), width, depth + 1u);
+                var away = reflect(into, n);
+                // Where light sees another surface than rays meet, a mirror may point into it.
+                away = normalize(away + max(0.001 - dot(away, facing), 0.0) * facing);
+                branch = Branch(outside, reflection, away, width, depth + 1u);
             }
             if refracts {
                 let through = refracted(into, n, select(1.0 / material.ior, material.ior, inside));

@@ -115,7 +115,10 @@ fn stages(
     let mut clock = Clock(Instant::now());
     let root = scene::parse(&name, &text)?;
     let parse = clock.lap();
-    let library = Library::new(sources, path.parent().unwrap_or(Path::new("")));
+    let mut library = Library::new(sources, path.parent().unwrap_or(Path::new("")));
+    if let Some(before) = before {
+        library = library.with_known(&before.scene.images, &before.scene.models);
+    }
     let (scene, warnings) = ir::resolve(&name, &text, &root, &library)?;
     let resolve = clock.lap();
     let source = wgsl::generate(&scene, mode);

@@ -150,7 +150,8 @@ impl Builder {
         match &self.before {
             Some(before)
                 if before.source.sections == compiled.source.sections
-                    && before.scene.images == compiled.scene.images =>
+                    && before.scene.images == compiled.scene.images
+                    && before.scene.models == compiled.scene.models =>
             {
                 let same = before.source.numbers == compiled.source.numbers;
                 let same_frame = before.scene.camera == compiled.scene.camera;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Failure, Result, print_report, sample, sources_for};
+use super::{Failure, Result, knot, print_report, sample, sources_for};
 use crate::diagnostic::Report;
 use crate::library::{Family, Library, name_of};
 use crate::sources::Sources;
@@ -99,5 +99,6 @@ fn check_snippet(sources: Sources, file: &Path) -> Result<Outcome> {
     };
     let scene = folder.join("-");
     let sources = sources.with(&scene, &format!("(objects: [{object}])"));
+    let sources = sources.with(folder.join(knot::FILE), &knot::obj());
     Ok(compile(&sources, &scene, Mode::Baked, None))
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use image::ImageFormat;
 
 use super::render::{encoded, with_progress};
-use super::{Failure, Result, print_report, sample, write_output};
+use super::{Failure, Result, knot, print_report, sample, write_output};
 use crate::compile;
 use crate::gpu::{self, AdapterChoice, Gpu, Moment};
 use crate::library::{Family, Function, Kind, Library, Parameter};
@@ -53,6 +53,7 @@ pub fn run(folder: &Path) -> Result {
 fn draw(gpu: &Gpu, here: &Path, function: &Function, folder: &Path) -> Result {
     let scene = here.join("scenes/-");
     let sources = Sources::on_disk(here).with(&scene, &tile(function));
+    let sources = sources.with(here.join("scenes").join(knot::FILE), &knot::obj());
     let outcome = compile(&sources, &scene, Mode::Baked, None);
     let Some(compiled) = outcome.compiled else {
         print_report(&outcome.report);

@@ -6,6 +6,7 @@ mod args;
 mod check;
 mod gallery;
 mod generate;
+mod knot;
 mod list;
 mod render;
 mod sample;

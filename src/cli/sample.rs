@@ -1,5 +1,6 @@
 //! What to write in a scene to see a texture or a shape, if nothing else is known of it.
 
+use super::knot;
 use crate::library::{Function, Kind, Parameter, Type};
 
 /// `Name(…)` with what the author must give.
@@ -40,6 +41,7 @@ fn stand_in(parameter: &Parameter, index: usize) -> String {
     let (low, high) = parameter.range.unwrap_or((f32::MIN, f32::MAX));
     match parameter.ty {
         Type::Bool => "true".into(),
+        Type::Model => format!("{:?}", knot::FILE),
         ty if ty.size() == 1 => ((index + 1) as f32).clamp(low, high).to_string(),
         ty => {
             let point = points[index % points.len()];

@@ -5,7 +5,7 @@
 
 use bytemuck::{AnyBitPattern, NoUninit};
 
-use super::images::Images;
+use super::assets::Assets;
 use super::{Gpu, GpuError};
 
 /// A compute pipeline with questions at binding 0 of group 2 and answers at binding 1.
@@ -20,7 +20,7 @@ pub(super) struct Kernel {
 pub(super) struct Scene {
     /// Frame and numbers.
     pub values: wgpu::BindGroup,
-    pub images: Option<Images>,
+    pub assets: Option<Assets>,
 }
 
 /// As shaders/probe.wgsl says.
@@ -129,8 +129,8 @@ impl Kernel {
                 let mut pass = encoder.begin_compute_pass(&Default::default());
                 pass.set_pipeline(&self.pipeline);
                 pass.set_bind_group(0, &scene.values, &[]);
-                if let Some(images) = &scene.images {
-                    pass.set_bind_group(1, &images.group, &[]);
+                if let Some(assets) = &scene.assets {
+                    pass.set_bind_group(1, &assets.group, &[]);
                 }
                 pass.set_bind_group(2, &lists, &[]);
                 pass.dispatch_workgroups((batch.len() as u32).div_ceil(WORKGROUP), 1, 1);

@@ -3,11 +3,11 @@
 //! In: [`crate::Compiled`]. Out: pixels, or from a [`Probe`] single values. The only room that knows wgpu,
 //! the window's surface aside.
 
+mod assets;
 mod batches;
 mod device;
 mod display;
 mod image;
-mod images;
 mod pipeline;
 mod probe;
 mod tracer;

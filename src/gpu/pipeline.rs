@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::images::Images;
+use super::assets::{Assets, check_models};
 use super::{Gpu, GpuError};
 use crate::Compiled;
 use crate::wgsl::Mode;
@@ -17,7 +17,7 @@ pub struct Pipeline {
     pub(super) pipeline: wgpu::RenderPipeline,
     pub(super) layout: wgpu::BindGroupLayout,
     pub(super) numbers: Option<wgpu::Buffer>,
-    pub(super) images: Option<Images>,
+    pub(super) assets: Option<Assets>,
 }
 
 impl Pipeline {
@@ -27,6 +27,7 @@ impl Pipeline {
     /// Where the driver refuses, or the scene has more numbers than the GPU's uniform buffers hold.
     pub fn build(gpu: &Gpu, compiled: &Compiled) -> Result<Self, GpuError> {
         check_numbers(gpu, compiled)?;
+        check_models(gpu, &compiled.scene)?;
         checked(gpu, || make(gpu, compiled))
     }
 
@@ -130,8 +131,8 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
         label: Some("scene"),
         entries: &entries,
     });
-    let images = Images::new(device, &gpu.queue, &compiled.scene.images);
-    let layouts = [Some(&layout)].into_iter().chain(images.iter().map(|images| Some(&images.layout)));
+    let assets = Assets::new(gpu, &compiled.scene);
+    let layouts = [Some(&layout)].into_iter().chain(assets.iter().map(|assets| Some(&assets.layout)));
     let pipeline = super::display::full_screen_pipeline(
         device,
         &module,
@@ -139,5 +140,5 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
         ["coverPicture", "tracePixel"],
         FORMAT,
     );
-    Pipeline { pipeline, layout, numbers, images }
+    Pipeline { pipeline, layout, numbers, assets }
 }

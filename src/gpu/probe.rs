@@ -6,8 +6,8 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 
+use super::assets::{Assets, check_models};
 use super::batches::{Kernel, Scene};
-use super::images::Images;
 use super::pipeline::{self, checked};
 use super::uniforms::Frame;
 use super::{Gpu, GpuError, Moment};
@@ -79,6 +79,7 @@ impl Probe {
     /// uniform buffers hold.
     pub fn build(gpu: &Gpu, compiled: &Compiled, moment: &Moment, size: [u32; 2]) -> Result<Self, GpuError> {
         pipeline::check_numbers(gpu, compiled)?;
+        check_models(gpu, &compiled.scene)?;
         Kernel::check(gpu)?;
         let probed = compiled.probed().map_err(|problem| GpuError::Refused(problem.message))?;
         let frame = Frame::new(moment, &compiled.scene.render, size, 0, [0.0; 2]);
@@ -104,11 +105,11 @@ impl Probe {
                 layout: &layout,
                 entries: &bound.collect::<Vec<_>>(),
             });
-            let images = Images::new(device, &gpu.queue, &compiled.scene.images);
-            let layouts = [Some(&layout), images.as_ref().map(|images| &images.layout)];
+            let assets = Assets::new(gpu, &compiled.scene);
+            let layouts = [Some(&layout), assets.as_ref().map(|assets| &assets.layout)];
             let kernel = |entry| Kernel::new(gpu, &module, layouts, entry);
             let (materials, rays) = (kernel("probeMaterials"), kernel("probeRays"));
-            let scene = Scene { values, images };
+            let scene = Scene { values, assets };
             Self { gpu: gpu.clone(), materials, rays, scene, numbers }
         })
     }

@@ -100,8 +100,8 @@ impl Tracer {
             let mut pass = super::display::begin_pass(&mut encoder, &target, wgpu::LoadOp::Load);
             pass.set_pipeline(&pipeline.pipeline);
             pass.set_bind_group(0, &bindings, &[]);
-            if let Some(images) = &pipeline.images {
-                pass.set_bind_group(1, &images.group, &[]);
+            if let Some(assets) = &pipeline.assets {
+                pass.set_bind_group(1, &assets.group, &[]);
             }
             pass.set_scissor_rect(0, rows.start, self.size()[0], rows.end - rows.start);
             pass.draw(0..3, 0..1);

@@ -10,7 +10,7 @@ use glam::Vec3;
 
 pub use resolve::resolve;
 
-use crate::library::{Const, Function, Image, Type};
+use crate::library::{Const, Function, Image, Model, Type};
 
 /// A whole scene, in the author's order.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +23,7 @@ pub struct Scene {
     pub ambient: Vec3,
     pub lights: Vec<Light>,
     pub images: Vec<Image>,
+    pub models: Vec<Model>,
     pub textures: Vec<Texture>,
     pub materials: Vec<Material>,
     pub objects: Vec<Object>,
@@ -44,6 +45,8 @@ pub struct Camera {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     Const(Const),
+    /// One of [`Scene::models`].
+    Model(usize),
     Call(Call),
     /// One of [`Scene::textures`].
     Texture(usize),
@@ -277,7 +280,7 @@ pub const MAX_BOUNCES: u32 = 100;
 impl Object {
     /// Whether a texture takes part in its shape.
     pub fn is_textured(&self) -> bool {
-        self.arguments.iter().any(|argument| !matches!(argument, Value::Const(_)))
+        self.arguments.iter().any(|argument| !matches!(argument, Value::Const(_) | Value::Model(_)))
     }
 }
 

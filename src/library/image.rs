@@ -6,10 +6,12 @@ use std::sync::Arc;
 use glam::Vec3;
 
 /// A picture, rows from the top.
-#[derive(Clone, PartialEq)]
+#[derive(Clone)]
 pub struct Image {
     /// The file's name, as messages use it.
     pub file: String,
+    /// Of the file's bytes: two images of one file are the same where this is.
+    pub digest: u64,
     /// The picture first, then each half as wide and as high, down to one texel.
     pub levels: Arc<[Level]>,
 }
@@ -27,11 +29,11 @@ pub struct Level {
 const LONGEST: u32 = 8192;
 
 impl Image {
-    /// Decodes PNG, JPEG or Radiance HDR.
+    /// Decodes PNG, JPEG or Radiance HDR; `digest` is of `bytes`.
     ///
     /// # Errors
     /// Why it cannot be shown, in words that follow the file's name.
-    pub fn decode(file: String, bytes: &[u8]) -> Result<Self, String> {
+    pub fn decode(file: String, digest: u64, bytes: &[u8]) -> Result<Self, String> {
         let picture = image::load_from_memory(bytes).map_err(|error| match error {
             image::ImageError::Unsupported(_) => "is neither PNG, JPEG nor Radiance HDR".to_owned(),
             other => format!("is damaged: {other}"),
@@ -47,7 +49,13 @@ impl Image {
         while levels[levels.len() - 1].size != [1, 1] {
             levels.push(levels[levels.len() - 1].halved());
         }
-        Ok(Self { file, levels: levels.into() })
+        Ok(Self { file, digest, levels: levels.into() })
+    }
+}
+
+impl PartialEq for Image {
+    fn eq(&self, other: &Self) -> bool {
+        self.file == other.file && self.digest == other.digest
     }
 }
 

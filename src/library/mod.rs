@@ -7,16 +7,19 @@ mod doc_line;
 mod function;
 mod header;
 mod image;
+mod model;
 mod shape;
 mod value;
 
 use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 pub use color::parse_color;
 pub use function::{Function, Kind, Parameter, Traits, name_of};
 pub use image::Image;
+pub use model::{Corner, Model};
 pub use value::{Const, Type};
 
 use crate::diagnostic::{Diagnostic, Place};
@@ -66,13 +69,21 @@ pub struct Library<'a> {
     folders: Vec<PathBuf>,
     known: Mutex<BTreeMap<(Family, String), Read>>,
     warnings: Mutex<Vec<Diagnostic>>,
+    images: &'a [Image],
+    models: &'a [Model],
 }
 
 impl<'a> Library<'a> {
     /// For a scene that lies in `folder`.
     pub fn new(sources: &'a Sources, folder: &Path) -> Self {
         let folders = sources.folders_above(folder);
-        Self { sources, folders, known: Mutex::default(), warnings: Mutex::default() }
+        let known = Mutex::default();
+        Self { sources, folders, known, warnings: Mutex::default(), images: &[], models: &[] }
+    }
+
+    /// The same, which takes what was read before instead of reading the same bytes again.
+    pub fn with_known(self, images: &'a [Image], models: &'a [Model]) -> Self {
+        Self { images, models, ..self }
     }
 
     /// The function that scenes call `name`, such as `WoodGrain`.
@@ -109,10 +120,32 @@ impl<'a> Library<'a> {
     /// # Errors
     /// Why it cannot be shown.
     pub fn image(&self, file: &str) -> Result<Image, Diagnostic> {
+        let (name, digest, bytes) = self.file(file)?;
+        let known = self.images.iter().find(|known| known.file == name && known.digest == digest);
+        known
+            .map_or_else(|| Image::decode(name.clone(), digest, &bytes), |known| Ok(known.clone()))
+            .map_err(|why| Diagnostic::error(format!("`{name}` {why}")))
+    }
+
+    /// The model in `file`, which lies beside the scene unless its path says otherwise.
+    ///
+    /// # Errors
+    /// Why it cannot be shown.
+    pub fn model(&self, file: &str) -> Result<Model, Diagnostic> {
+        let (name, digest, bytes) = self.file(file)?;
+        let known = self.models.iter().find(|known| known.file == name && known.digest == digest);
+        known
+            .map_or_else(|| Model::decode(name.clone(), digest, &bytes), |known| Ok(known.clone()))
+            .map_err(|why| Diagnostic::error(format!("`{name}` {why}")))
+    }
+
+    /// The name of a file beside the scene, a digest of its bytes, and these.
+    fn file(&self, file: &str) -> Result<(String, u64, Arc<[u8]>), Diagnostic> {
         let path = self.folders[0].join(file);
         let bytes = self.sources.bytes(&path)?;
-        let name = self.sources.name(&path);
-        Image::decode(name.clone(), &bytes).map_err(|why| Diagnostic::error(format!("`{name}` {why}")))
+        let mut digest = DefaultHasher::new();
+        bytes.hash(&mut digest);
+        Ok((self.sources.name(&path), digest.finish(), bytes))
     }
 
     /// What was odd but not wrong, since the last call.

@@ -12,11 +12,13 @@ pub enum Type {
     Vec2,
     Vec3,
     Vec4,
+    /// A file of triangles: no value in the text, but data.
+    Model,
 }
 
 impl Type {
     /// All of them, by their WGSL names.
-    pub const NAMES: [(&str, Type); 7] = [
+    pub const NAMES: [(&str, Type); 8] = [
         ("f32", Type::F32),
         ("i32", Type::I32),
         ("u32", Type::U32),
@@ -24,6 +26,7 @@ impl Type {
         ("vec2f", Type::Vec2),
         ("vec3f", Type::Vec3),
         ("vec4f", Type::Vec4),
+        ("Model", Type::Model),
     ];
 
     pub fn wgsl(self) -> &'static str {
@@ -40,6 +43,7 @@ impl Type {
             Type::Vec2 => "a vector (x, y)",
             Type::Vec3 => "a vector (x, y, z)",
             Type::Vec4 => "a vector (x, y, z, w)",
+            Type::Model => "a file such as \"model.obj\"",
         }
     }
 
@@ -50,6 +54,7 @@ impl Type {
             Type::Vec2 => 2,
             Type::Vec3 => 3,
             Type::Vec4 => 4,
+            Type::Model => 0,
         }
     }
 }

@@ -140,7 +140,7 @@ impl Writer<'_> {
         let surface = self.on_shape(index, "Surface", Code::atom(format!("pointAt({ray}, t)")), written);
         lines.statement(12, "let on = ", &surface, ";");
         let object = &self.object_names[index];
-        lines.push(format!("            {name} = crossing({ray}, t, {object}, on.normal);"));
+        lines.push(format!("            {name} = crossing({ray}, t, {object}, on.facet);"));
         if self.scene.objects[index].shape.traits.is_endless {
             let contains =
                 self.on_shape(index, "Contains", Code::atom(format!("pointBeyond({ray})")), written);

@@ -50,7 +50,7 @@ impl Writer<'_> {
         let mut arguments = vec![Code::atom("p")];
         for (argument, constant) in object.arguments.iter().zip(&written.arguments) {
             arguments.push(match argument {
-                Value::Const(_) => constant.clone(),
+                Value::Const(_) | Value::Model(_) => constant.clone(),
                 varying => self.value(varying, "at", &mut body, 4),
             });
         }

@@ -108,6 +108,8 @@ struct Writer<'a> {
     object_names: Vec<String>,
     /// Functions of the objects whose shapes take textures.
     field_names: Vec<String>,
+    /// Constants of the models: `MODEL_KNOT`.
+    model_names: Vec<String>,
     /// Functions of the combinations, by their names.
     combination_names: BTreeMap<String, String>,
     /// Functions of the materials and textures.
@@ -128,6 +130,7 @@ impl<'a> Writer<'a> {
             mode,
             numbers: Numbers::new(mode),
             object_names,
+            model_names: scene.models.iter().map(|m| names.constant("MODEL", stem(&m.file))).collect(),
             field_names: scene.objects.iter().map(|o| names.function(&o.name, "Field")).collect(),
             combination_names: combinations::function_names(scene, &mut names),
             material_names,
@@ -181,6 +184,12 @@ impl<'a> Writer<'a> {
         for (i, name) in self.object_names.iter().enumerate() {
             lines.push(format!("const {name}: u32 = {i}u;"));
         }
+        let mut root = 0;
+        for (name, model) in self.model_names.iter().zip(&self.scene.models) {
+            lines.push(code::one_line(&format!("/// {}", model.file)));
+            lines.push(format!("const {name}: Model = Model({root}u);"));
+            root += model.texels();
+        }
         lines.push(format!("const LIGHTS: u32 = {}u;", self.scene.lights.len()));
         let transmits = self.scene.transmits();
         lines.push("/// Whether any ray goes through a surface.");
@@ -189,4 +198,10 @@ impl<'a> Writer<'a> {
         lines.push(format!("const TEXTURED: bool = {};", self.scene.is_textured()));
         lines
     }
+}
+
+/// The file's name without its folder and ending.
+fn stem(file: &str) -> &str {
+    let name = file.rsplit('/').next().unwrap_or(file);
+    name.split('.').next().unwrap_or(name)
 }

@@ -27,6 +27,7 @@ impl Writer<'_> {
         self.uses(&object.shape);
         let constants = object.arguments.iter().map(|argument| match argument {
             Value::Const(constant) => self.numbers.constant(*constant),
+            Value::Model(index) => Code::atom(&self.model_names[*index]),
             // What varies is written where the distance is asked for. Bounds take it as 1.
             _ => Code::call("f32", [Code::atom("1.0")]),
         });

@@ -29,6 +29,7 @@ impl Writer<'_> {
     pub fn value(&mut self, value: &Value, at: &str, body: &mut Body, indent: usize) -> Code {
         match value {
             Value::Const(constant) => self.numbers.constant(*constant),
+            Value::Model(index) => Code::atom(&self.model_names[*index]),
             Value::Texture(index) => Code::call(&self.texture_names[*index], [Code::atom(at)]),
             Value::Grey(number) => Code::call("vec3f", [self.value(number, at, body, indent)]),
             Value::Luminance(color) => Code::call("luminance", [self.value(color, at, body, indent)]),
@@ -149,7 +150,7 @@ impl Writer<'_> {
 /// Adds the declared textures that `value` needs.
 fn reach(value: &Value, scene: &crate::ir::Scene, reached: &mut BTreeSet<usize>) {
     match value {
-        Value::Const(_) => {}
+        Value::Const(_) | Value::Model(_) => {}
         Value::Texture(index) => {
             if reached.insert(*index) {
                 reach(&scene.textures[*index].value, scene, reached);

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use raytoy::gpu::{AdapterChoice, Gpu, Moment, Picture, View, render};
-use raytoy::library::{Family, Library};
+use raytoy::library::{Family, Library, Type};
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 use raytoy::{Compiled, Outcome, compile};
@@ -123,13 +123,15 @@ pub fn gpu() -> Option<&'static Gpu> {
     GPU.as_ref()
 }
 
-/// The shapes that find their crossings by equations, as the reference does. For what is marched to,
-/// tests/solids.rs has laws.
+/// The shapes that find their crossings by equations, as the reference does. For what is marched to
+/// tests/solids.rs has laws, and for models tests/models.rs.
 pub fn solved_shapes() -> Vec<String> {
     let sources = Sources::in_memory();
     let library = Library::new(&sources, "".as_ref());
-    let is_solved =
-        |name: &String| library.find(Family::Shape, name).is_ok_and(|function| !function.traits.is_distance);
+    let is_solved = |name: &String| {
+        let function = library.find(Family::Shape, name);
+        function.is_ok_and(|f| !f.traits.is_distance && f.parameters.iter().all(|p| p.ty != Type::Model))
+    };
     library.names(Family::Shape).into_iter().filter(is_solved).collect()
 }
 

@@ -2,7 +2,6 @@
 
 use super::Resolver;
 use super::reader::Fields;
-use crate::diagnostic::Diagnostic;
 use crate::ir::{Call, Interpolation, Picture, Ramp, Triplanar, Value};
 use crate::scene::{self, Kind, Record};
 
@@ -11,9 +10,6 @@ pub const FORMS: [&str; 3] = [RAMP, TRIPLANAR, IMAGE];
 pub const RAMP: &str = "Ramp";
 pub const TRIPLANAR: &str = "Triplanar";
 pub const IMAGE: &str = "Image";
-
-/// What WebGPU lets a shader read, without the picture that gathers samples.
-const MOST_IMAGES: usize = 15;
 
 impl Resolver<'_> {
     pub fn ramp(&mut self, value: &scene::Value) -> Option<Ramp> {
@@ -96,28 +92,5 @@ impl Resolver<'_> {
         };
         let image = self.image(path, file)?;
         Some(Picture { at: at?, image, width, repeat })
-    }
-
-    /// The index of the image in the file `path`.
-    fn image(&mut self, path: &str, written: &scene::Value) -> Option<usize> {
-        let place = self.place(&written.span);
-        match self.lookup.image(path) {
-            Ok(image) => {
-                let known = self.images.iter().position(|i| i.file == image.file);
-                Some(known.unwrap_or_else(|| {
-                    self.images.push(image);
-                    if self.images.len() > MOST_IMAGES {
-                        let message = format!("more than {MOST_IMAGES} images in one scene");
-                        self.push(Diagnostic::error(message).at(place, ""));
-                    }
-                    self.images.len() - 1
-                }))
-            }
-            Err(problem) => {
-                let advice = "a file is looked for beside the scene: PNG, JPEG or Radiance HDR";
-                self.push(problem.at(place, "").help(advice));
-                None
-            }
-        }
     }
 }

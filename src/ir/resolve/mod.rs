@@ -1,5 +1,6 @@
 //! From what the author wrote to a scene without open questions: the only file that refuses a scene.
 
+mod files;
 mod forms;
 mod lights;
 mod materials;
@@ -17,7 +18,7 @@ use glam::Vec3;
 use self::reader::Fields;
 use super::{Camera, Material, Scene, Texture, Value};
 use crate::diagnostic::{Diagnostic, Place, Severity};
-use crate::library::{Const, Image, Library};
+use crate::library::{Const, Image, Library, Model};
 use crate::scene;
 
 /// The scene that `root` describes, and warnings; `file` and `text` are where it was written.
@@ -56,6 +57,7 @@ struct Resolver<'a> {
     /// Names of the textures that are made of themselves, and reported.
     circular: BTreeSet<String>,
     images: Vec<Image>,
+    models: Vec<Model>,
     textures: Vec<Texture>,
     materials: Vec<Material>,
     /// Indices of the materials that have a name.
@@ -73,6 +75,7 @@ impl<'a> Resolver<'a> {
             pending: vec![],
             circular: BTreeSet::new(),
             images: vec![],
+            models: vec![],
             textures: vec![],
             materials: vec![],
             named_materials: BTreeMap::new(),
@@ -124,6 +127,7 @@ impl<'a> Resolver<'a> {
             ambient,
             lights,
             images: std::mem::take(&mut self.images),
+            models: std::mem::take(&mut self.models),
             textures: std::mem::take(&mut self.textures),
             materials: std::mem::take(&mut self.materials),
             objects,

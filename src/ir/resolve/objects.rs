@@ -146,7 +146,7 @@ impl Resolver<'_> {
             let argument = match fields.get(&parameter.name) {
                 // A distance is asked for at points, and so are textures.
                 Some(value) if shape.traits.is_distance => self.argument(parameter, value),
-                Some(value) => self.constant(parameter, value).or(parameter.default).map(Value::Const),
+                Some(value) => self.fixed(parameter, value).or(parameter.default.map(Value::Const)),
                 None => parameter.default.map(Value::Const),
             };
             if argument.is_none() && !fields.has(&parameter.name) {
@@ -194,17 +194,30 @@ impl Resolver<'_> {
             let cut = operation == Operation::Difference && i > 0;
             let around = Around { inverted: around.inverted != cut, ..around };
             let Some((solid, _)) = self.solid(item, shape, fields, i, around, found) else { continue };
-            if let Solid::Object(index) = solid
-                && found.objects[index].shape.traits.is_open
-            {
-                let message = format!("`{}` encloses nothing", shape.text);
-                let advice = "parts are solids: give it thickness, as `Box` or `Cylinder` have".into();
-                self.error(&shape.span, message).help.push(advice);
+            if let Solid::Object(index) = solid {
+                self.check_encloses(&found.objects[index], shape);
             }
             solids.push(solid);
         }
         let caption = self.words(written, &["name", "material", "parts"]);
         let name = around.name.to_owned();
         Some(Solid::Combination(Combination { name, caption, operation, parts: solids }))
+    }
+
+    /// Reports a part that has no inside.
+    fn check_encloses(&mut self, object: &Object, shape: &Name) {
+        if object.shape.traits.is_open {
+            let advice = "parts are solids: give it thickness, as `Box` or `Cylinder` have".into();
+            self.error(&shape.span, format!("`{}` encloses nothing", shape.text)).help.push(advice);
+        }
+        for argument in &object.arguments {
+            if let Value::Model(index) = argument
+                && !self.models[*index].is_closed()
+            {
+                let message = format!("`{}` has a hole, and encloses nothing", self.models[*index].file);
+                let advice = "parts are solids: each edge of a model must join two triangles".into();
+                self.error(&shape.span, message).help.push(advice);
+            }
+        }
     }
 }

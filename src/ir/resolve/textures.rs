@@ -225,7 +225,7 @@ impl<'a> Resolver<'a> {
             _ => parameter.is_color,
         };
         if !varies {
-            return self.constant(parameter, given).map(Value::Const);
+            return self.fixed(parameter, given);
         }
         if !matches!(parameter.ty, Type::F32 | Type::Vec3) {
             self.mismatch(given, parameter.ty.describe());

@@ -98,12 +98,12 @@ fn bittenSolid(ray: Ray) -> Crossing {
                 0.42,
                 0.4,
             );
-            smoothBalls0Part = crossing(moved0, t, OBJECT_BITTEN_SMOOTHBALLS_0, on.normal);
+            smoothBalls0Part = crossing(moved0, t, OBJECT_BITTEN_SMOOTHBALLS_0, on.facet);
         }
         if bitePart.t <= rest.t_min {
             let t = mengerSponge(moved0, vec3f(0.2, 0.5, 0.5), 1.0, 2u);
             let on = mengerSpongeSurface(pointAt(moved0, t), vec3f(0.2, 0.5, 0.5), 1.0, 2u);
-            bitePart = crossing(moved0, t, OBJECT_BITE, on.normal);
+            bitePart = crossing(moved0, t, OBJECT_BITE, on.facet);
         }
         let t = min(smoothBalls0Part.t, bitePart.t);
         if t >= NO_HIT { break; }

@@ -81,32 +81,32 @@ fn dieSolid(ray: Ray) -> Crossing {
         if onePart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0, 1.12, 0.0), 0.32);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 1.12, 0.0), 0.32);
-            onePart = crossing(moved0, t, OBJECT_ONE, on.normal);
+            onePart = crossing(moved0, t, OBJECT_ONE, on.facet);
         }
         if twoAPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(-0.45, 0.45, 1.1), 0.24);
             let on = sphereSurface(pointAt(moved0, t), vec3f(-0.45, 0.45, 1.1), 0.24);
-            twoAPart = crossing(moved0, t, OBJECT_TWO_A, on.normal);
+            twoAPart = crossing(moved0, t, OBJECT_TWO_A, on.facet);
         }
         if twoBPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.45, -0.45, 1.1), 0.24);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.45, -0.45, 1.1), 0.24);
-            twoBPart = crossing(moved0, t, OBJECT_TWO_B, on.normal);
+            twoBPart = crossing(moved0, t, OBJECT_TWO_B, on.facet);
         }
         if threeAPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(1.1, 0.5, -0.5), 0.24);
             let on = sphereSurface(pointAt(moved0, t), vec3f(1.1, 0.5, -0.5), 0.24);
-            threeAPart = crossing(moved0, t, OBJECT_THREE_A, on.normal);
+            threeAPart = crossing(moved0, t, OBJECT_THREE_A, on.facet);
         }
         if threeBPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(1.1, 0.0, 0.0), 0.24);
             let on = sphereSurface(pointAt(moved0, t), vec3f(1.1, 0.0, 0.0), 0.24);
-            threeBPart = crossing(moved0, t, OBJECT_THREE_B, on.normal);
+            threeBPart = crossing(moved0, t, OBJECT_THREE_B, on.facet);
         }
         if threeCPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(1.1, -0.5, 0.5), 0.24);
             let on = sphereSurface(pointAt(moved0, t), vec3f(1.1, -0.5, 0.5), 0.24);
-            threeCPart = crossing(moved0, t, OBJECT_THREE_C, on.normal);
+            threeCPart = crossing(moved0, t, OBJECT_THREE_C, on.facet);
         }
         let t = min(
             min(
@@ -187,12 +187,12 @@ fn cubeSolid(ray: Ray) -> Crossing {
         if roundedBox0Part.t <= rest.t_min {
             let t = roundedBox(moved0, vec3f(-1.0), vec3f(1.0), 0.12);
             let on = roundedBoxSurface(pointAt(moved0, t), vec3f(-1.0), vec3f(1.0), 0.12);
-            roundedBox0Part = crossing(moved0, t, OBJECT_CUBE_ROUNDEDBOX_0, on.normal);
+            roundedBox0Part = crossing(moved0, t, OBJECT_CUBE_ROUNDEDBOX_0, on.facet);
         }
         if sphere1Part.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0), 1.5);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0), 1.5);
-            sphere1Part = crossing(moved0, t, OBJECT_CUBE_SPHERE_1, on.normal);
+            sphere1Part = crossing(moved0, t, OBJECT_CUBE_SPHERE_1, on.facet);
         }
         let t = min(roundedBox0Part.t, sphere1Part.t);
         if t >= NO_HIT { break; }
@@ -263,7 +263,7 @@ fn cupSolid(ray: Ray) -> Crossing {
                 0.85,
                 0.06,
             );
-            roundedCylinder0Part = crossing(moved0, t, OBJECT_CUP_ROUNDEDCYLINDER_0, on.normal);
+            roundedCylinder0Part = crossing(moved0, t, OBJECT_CUP_ROUNDEDCYLINDER_0, on.facet);
         }
         if hollowPart.t <= rest.t_min {
             let t = roundedCylinder(moved0, vec3f(0.0, 0.12, 0.0), vec3f(0.0, 3.0, 0.0), 0.74, 0.1);
@@ -274,7 +274,7 @@ fn cupSolid(ray: Ray) -> Crossing {
                 0.74,
                 0.1,
             );
-            hollowPart = crossing(moved0, t, OBJECT_HOLLOW, on.normal);
+            hollowPart = crossing(moved0, t, OBJECT_HOLLOW, on.facet);
         }
         let t = min(roundedCylinder0Part.t, hollowPart.t);
         if t >= NO_HIT { break; }
@@ -319,7 +319,7 @@ fn handleSolid(ray: Ray) -> Crossing {
                 0.48,
                 0.1,
             );
-            ringPart = crossing(moved0, t, OBJECT_RING, on.normal);
+            ringPart = crossing(moved0, t, OBJECT_RING, on.facet);
         }
         if insidePart.t <= rest.t_min {
             let t = cylinder(moved0, vec3f(0.0, -1.0, 0.0), vec3f(0.0, 3.0, 0.0), 0.8);
@@ -329,7 +329,7 @@ fn handleSolid(ray: Ray) -> Crossing {
                 vec3f(0.0, 3.0, 0.0),
                 0.8,
             );
-            insidePart = crossing(moved0, t, OBJECT_INSIDE, on.normal);
+            insidePart = crossing(moved0, t, OBJECT_INSIDE, on.facet);
         }
         let t = min(ringPart.t, insidePart.t);
         if t >= NO_HIT { break; }
@@ -371,7 +371,7 @@ fn nutSolid(ray: Ray) -> Crossing {
                 vec3f(0.0, 2.0, 0.0),
                 0.42,
             );
-            borePart = crossing(moved0, t, OBJECT_BORE, on.normal);
+            borePart = crossing(moved0, t, OBJECT_BORE, on.facet);
         }
         let t = min(blankPart.t, borePart.t);
         if t >= NO_HIT { break; }
@@ -411,12 +411,12 @@ fn blankSolid(ray: Ray) -> Crossing {
                 0.8,
                 0.6,
             );
-            hexPrism0Part = crossing(moved0, t, OBJECT_BLANK_HEXPRISM_0, on.normal);
+            hexPrism0Part = crossing(moved0, t, OBJECT_BLANK_HEXPRISM_0, on.facet);
         }
         if turnedPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0, 0.3, 0.0), 0.82);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 0.3, 0.0), 0.82);
-            turnedPart = crossing(moved0, t, OBJECT_TURNED, on.normal);
+            turnedPart = crossing(moved0, t, OBJECT_TURNED, on.facet);
         }
         let t = min(hexPrism0Part.t, turnedPart.t);
         if t >= NO_HIT { break; }
@@ -454,12 +454,12 @@ fn lensSolid(ray: Ray) -> Crossing {
         if frontPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0, 0.0, 1.1), 1.45);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 0.0, 1.1), 1.45);
-            frontPart = crossing(moved0, t, OBJECT_FRONT, on.normal);
+            frontPart = crossing(moved0, t, OBJECT_FRONT, on.facet);
         }
         if backPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0, 0.0, -1.1), 1.45);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 0.0, -1.1), 1.45);
-            backPart = crossing(moved0, t, OBJECT_BACK, on.normal);
+            backPart = crossing(moved0, t, OBJECT_BACK, on.facet);
         }
         let t = min(frontPart.t, backPart.t);
         if t >= NO_HIT { break; }

@@ -89,7 +89,7 @@ fn bittenSolid(ray: Ray) -> Crossing {
                 0.55,
                 0.5,
             );
-            ballsPart = crossing(moved0, t, OBJECT_BALLS, on.normal);
+            ballsPart = crossing(moved0, t, OBJECT_BALLS, on.facet);
         }
         if pebble1Part.t <= rest.t_min {
             let t = pebble(moved1, vec3f(-0.5, 0.0, -0.5), vec3f(0.5, 0.4, 0.5), 0.15);
@@ -99,7 +99,7 @@ fn bittenSolid(ray: Ray) -> Crossing {
                 vec3f(0.5, 0.4, 0.5),
                 0.15,
             );
-            pebble1Part = crossing(moved1, t, OBJECT_BITTEN_PEBBLE_1, on.normal);
+            pebble1Part = crossing(moved1, t, OBJECT_BITTEN_PEBBLE_1, on.facet);
         }
         let t = min(ballsPart.t, pebble1Part.t);
         if t >= NO_HIT { break; }

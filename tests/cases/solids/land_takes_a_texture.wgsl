@@ -58,12 +58,12 @@ fn valleySolid(ray: Ray) -> Crossing {
         if landPart.t <= rest.t_min {
             let t = landField(rest);
             let on = landFieldSurface(pointAt(rest, t));
-            landPart = crossing(rest, t, OBJECT_LAND, on.normal);
+            landPart = crossing(rest, t, OBJECT_LAND, on.facet);
         }
         if craterPart.t <= rest.t_min {
             let t = sphere(rest, vec3f(0.6, 0.8, 0.5), 0.7);
             let on = sphereSurface(pointAt(rest, t), vec3f(0.6, 0.8, 0.5), 0.7);
-            craterPart = crossing(rest, t, OBJECT_CRATER, on.normal);
+            craterPart = crossing(rest, t, OBJECT_CRATER, on.facet);
         }
         let t = min(landPart.t, craterPart.t);
         if t >= NO_HIT { break; }

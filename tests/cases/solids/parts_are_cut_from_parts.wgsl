@@ -58,7 +58,7 @@ fn dieSolid(ray: Ray) -> Crossing {
                 vec3f(0.0, 2.0, 0.0),
                 0.6,
             );
-            wellPart = crossing(moved0, t, OBJECT_WELL, on.normal);
+            wellPart = crossing(moved0, t, OBJECT_WELL, on.facet);
         }
         if cylinder2Part.t <= rest.t_min {
             let t = cylinder(moved0, vec3f(-1.0, 1.0, 0.0), vec3f(1.0, 1.0, 0.0), 0.3);
@@ -68,7 +68,7 @@ fn dieSolid(ray: Ray) -> Crossing {
                 vec3f(1.0, 1.0, 0.0),
                 0.3,
             );
-            cylinder2Part = crossing(moved0, t, OBJECT_DIE_CYLINDER_2, on.normal);
+            cylinder2Part = crossing(moved0, t, OBJECT_DIE_CYLINDER_2, on.facet);
         }
         let t = min(min(bodyPart.t, wellPart.t), cylinder2Part.t);
         if t >= NO_HIT { break; }
@@ -113,12 +113,12 @@ fn bodySolid(ray: Ray) -> Crossing {
         if box0Part.t <= rest.t_min {
             let t = box(moved0, vec3f(-1.0, 0.0, -1.0), vec3f(1.0, 2.0, 1.0));
             let on = boxSurface(pointAt(moved0, t), vec3f(-1.0, 0.0, -1.0), vec3f(1.0, 2.0, 1.0));
-            box0Part = crossing(moved0, t, OBJECT_BODY_BOX_0, on.normal);
+            box0Part = crossing(moved0, t, OBJECT_BODY_BOX_0, on.facet);
         }
         if sphere1Part.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0, 1.0, 0.0), 1.35);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 1.0, 0.0), 1.35);
-            sphere1Part = crossing(moved0, t, OBJECT_BODY_SPHERE_1, on.normal);
+            sphere1Part = crossing(moved0, t, OBJECT_BODY_SPHERE_1, on.facet);
         }
         let t = min(box0Part.t, sphere1Part.t);
         if t >= NO_HIT { break; }

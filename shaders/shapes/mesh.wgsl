@@ -1,0 +1,13 @@
+/// A model from a file of triangles.
+///
+/// file: a Wavefront OBJ or binary glTF file, beside the scene
+/// smooth = true: light sees the curved surface that the triangles stand for
+fn mesh(ray: Ray, file: Model, smooth_: bool) -> f32 {
+    return modelCrossing(ray, file);
+}
+
+fn meshSurface(p: vec3f, file: Model, smooth_: bool) -> Surface {
+    var at = modelSurface(p, file);
+    at.normal = select(at.facet, at.normal, smooth_);
+    return at;
+}

@@ -1,0 +1,66 @@
+//! Files that a scene names: images and models, each read once.
+
+use super::Resolver;
+use crate::diagnostic::Diagnostic;
+use crate::ir::Value;
+use crate::library::{Parameter, Type};
+use crate::scene::{self, Kind};
+
+/// What WebGPU lets a shader read, without the models and the picture that gathers samples.
+const MOST_IMAGES: usize = 14;
+
+impl Resolver<'_> {
+    /// The index of the image in the file `path`.
+    pub fn image(&mut self, path: &str, written: &scene::Value) -> Option<usize> {
+        let place = self.place(&written.span);
+        match self.lookup.image(path) {
+            Ok(image) => {
+                let known = self.images.iter().position(|i| i.file == image.file);
+                Some(known.unwrap_or_else(|| {
+                    self.images.push(image);
+                    if self.images.len() > MOST_IMAGES {
+                        let message = format!("more than {MOST_IMAGES} images in one scene");
+                        self.push(Diagnostic::error(message).at(place, ""));
+                    }
+                    self.images.len() - 1
+                }))
+            }
+            Err(problem) => {
+                let advice = "a file is looked for beside the scene: PNG, JPEG or Radiance HDR";
+                self.push(problem.at(place, "").help(advice));
+                None
+            }
+        }
+    }
+
+    /// The value of a parameter that is the same everywhere.
+    pub fn fixed(&mut self, parameter: &Parameter, written: &scene::Value) -> Option<Value> {
+        match (parameter.ty, &written.kind) {
+            (Type::Model, Kind::Text(path)) => self.model(path, written).map(Value::Model),
+            (Type::Model, _) => {
+                self.mismatch(written, Type::Model.describe());
+                None
+            }
+            _ => self.constant(parameter, written).map(Value::Const),
+        }
+    }
+
+    /// The index of the model in the file `path`.
+    fn model(&mut self, path: &str, written: &scene::Value) -> Option<usize> {
+        match self.lookup.model(path) {
+            Ok(model) => {
+                let known = self.models.iter().position(|m| m.file == model.file);
+                Some(known.unwrap_or_else(|| {
+                    self.models.push(model);
+                    self.models.len() - 1
+                }))
+            }
+            Err(problem) => {
+                let place = self.place(&written.span);
+                let advice = "a file is looked for beside the scene: Wavefront OBJ or binary glTF";
+                self.push(problem.at(place, "").help(advice));
+                None
+            }
+        }
+    }
+}
