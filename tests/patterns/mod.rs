@@ -66,6 +66,7 @@ pub fn stand_in(parameter: &Parameter) -> String {
         Type::Vec2 => "(0.4, 0.7)".into(),
         Type::Vec3 => "(0.3, 0.8, -0.5)".into(),
         Type::Vec4 => "(0.4, 0.7, 0.2, 0.9)".into(),
+        Type::Model => "\"scenes/models/gem.glb\"".into(),
     }
 }
 
@@ -82,6 +83,7 @@ pub fn random_argument(parameter: &Parameter, random: &mut Random) -> String {
         Type::Vec2 => format!("({}, {})", number(), number()),
         Type::Vec3 => format!("({}, {}, {})", number(), number(), number()),
         Type::Vec4 => format!("({}, {}, {}, {})", number(), number(), number(), number()),
+        Type::Model => stand_in(parameter),
     }
 }
 
