@@ -20,10 +20,12 @@
 pub mod app;
 pub mod cli;
 pub mod diagnostic;
+pub mod edit;
 pub mod gpu;
 pub mod ir;
 pub mod library;
 pub mod module;
+pub mod outline;
 pub mod scene;
 pub mod sources;
 pub mod watch;

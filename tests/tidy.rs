@@ -7,13 +7,15 @@ use raytoy::library::{Family, Library};
 use raytoy::sources::Sources;
 
 /// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
-const IMPORTS: [(&str, &[&str]); 13] = [
+const IMPORTS: [(&str, &[&str]); 15] = [
     ("diagnostic", &[]),
     ("sources", &["diagnostic"]),
     ("scene", &["diagnostic"]),
+    ("edit", &["diagnostic", "library", "scene"]),
     ("library", &["diagnostic", "sources"]),
     ("ir/resolve", &["ir", "library", "diagnostic", "scene"]),
     ("ir", &["library"]),
+    ("outline", &["ir", "library", "scene"]),
     ("wgsl", &["ir", "library"]),
     ("module", &["wgsl", "diagnostic"]),
     ("gpu", &["ir", "wgsl", "library", "Compiled", "on_deep_stack"]),

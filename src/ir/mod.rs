@@ -2,13 +2,14 @@
 //!
 //! In: what `resolve` makes of a [`crate::scene::Value`]. Out: what `wgsl` writes and `gpu` uploads.
 
+pub mod fields;
 mod resolve;
 
 use std::sync::Arc;
 
 use glam::Vec3;
 
-pub use resolve::resolve;
+pub use resolve::{default_name, resolve};
 
 use crate::library::{Const, Function, Image, Model, Type};
 

@@ -3,15 +3,19 @@
 //! In: the text of a scene. Out: a [`Value`], or all the syntax errors. What names mean is not known here.
 
 mod parse;
+mod path;
 
 use std::ops::Range;
 
 pub use parse::parse;
+pub use path::{Path, Step};
 
 /// A value and its place in the text, in bytes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Value {
     pub span: Range<usize>,
+    /// The same, with the `Some(…)` around it where there is one.
+    pub whole: Range<usize>,
     pub kind: Kind,
 }
 
@@ -55,6 +59,32 @@ pub struct Record {
 }
 
 impl Value {
+    /// A group of fields that the author left out: it has none.
+    pub fn left_out() -> Self {
+        Self { span: 0..0, whole: 0..0, kind: Kind::Record(Record::default()) }
+    }
+
+    /// Whether both say the same, wherever and however they are written.
+    pub fn says_the_same_as(&self, other: &Value) -> bool {
+        let all = |a: &[Value], b: &[Value]| {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.says_the_same_as(b))
+        };
+        let fields = |a: &[Field], b: &[Field]| {
+            let same =
+                |(a, b): (&Field, &Field)| a.name.text == b.name.text && a.value.says_the_same_as(&b.value);
+            a.len() == b.len() && a.iter().zip(b).all(same)
+        };
+        match (&self.kind, &other.kind) {
+            (Kind::Tuple(a), Kind::Tuple(b)) | (Kind::List(a), Kind::List(b)) => all(a, b),
+            (Kind::Map(a), Kind::Map(b)) => fields(a, b),
+            (Kind::Record(a), Kind::Record(b)) => {
+                let name = |r: &Record| r.name.as_ref().map(|n| n.text.clone());
+                name(a) == name(b) && fields(&a.fields, &b.fields) && all(&a.items, &b.items)
+            }
+            (a, b) => a == b,
+        }
+    }
+
     /// What it is, for "found …".
     pub fn describe(&self) -> String {
         match &self.kind {

@@ -104,7 +104,9 @@ impl Reader<'_> {
             },
             Expr::String(s) => Kind::Text(s.value.clone()),
             Expr::Option(option) => match &option.value {
-                Some(inner) => return self.value(&inner.expr),
+                Some(inner) => {
+                    return Value { whole: range(&option.span), ..self.value(&inner.expr) };
+                }
                 None => Kind::None,
             },
             Expr::Seq(seq) => Kind::List(seq.items.iter().map(|i| self.value(&i.expr)).collect()),
@@ -122,7 +124,8 @@ impl Reader<'_> {
             // Already reported by the parser.
             Expr::Error(_) => Kind::None,
         };
-        Value { span: range(expr.span()), kind }
+        let span = range(expr.span());
+        Value { whole: span.clone(), span, kind }
     }
 
     fn record(&mut self, record: &ast::StructExpr<'_>) -> Record {

@@ -2,20 +2,24 @@
 
 use super::Resolver;
 use super::reader::Fields;
+use crate::ir::fields::{EVERY_TEXTURE, Group};
 use crate::ir::{Call, Interpolation, Picture, Ramp, Triplanar, Value};
 use crate::scene::{self, Kind, Record};
 
-/// Their names.
-pub const FORMS: [&str; 3] = [RAMP, TRIPLANAR, IMAGE];
-pub const RAMP: &str = "Ramp";
-pub const TRIPLANAR: &str = "Triplanar";
-pub const IMAGE: &str = "Image";
-
 impl Resolver<'_> {
-    pub fn ramp(&mut self, value: &scene::Value) -> Option<Ramp> {
-        let mut fields = Fields::of(self, value, "`Ramp`");
+    /// What `Name(…)` computes where that is one of [`crate::ir::fields::FORMS`].
+    pub fn form(&mut self, form: &Group, value: &scene::Value) -> Option<Value> {
+        match form.name {
+            "Ramp" => self.ramp(form, value).map(|ramp| Value::Ramp(Box::new(ramp))),
+            "Triplanar" => self.triplanar(form, value).map(|form| Value::Triplanar(Box::new(form))),
+            _ => self.picture(form, value).map(|form| Value::Picture(Box::new(form))),
+        }
+    }
+
+    fn ramp(&mut self, form: &Group, value: &scene::Value) -> Option<Ramp> {
+        let mut fields = Fields::of(self, value, "`Ramp`", &[EVERY_TEXTURE, form.fields]);
         let at = self.at(&mut fields);
-        let by = fields.require(self, "by").map(|by| self.pattern(by, (-1e6, 1e6)));
+        let by = fields.pattern(self, "by");
         let stops = fields.require(self, "stops");
         let interpolation = fields.get("interpolation").map(|written| self.interpolation(written));
         fields.finish(self);
@@ -69,21 +73,21 @@ impl Resolver<'_> {
         Interpolation::Linear
     }
 
-    pub fn triplanar(&mut self, value: &scene::Value) -> Option<Triplanar> {
-        let mut fields = Fields::of(self, value, "`Triplanar`");
+    fn triplanar(&mut self, form: &Group, value: &scene::Value) -> Option<Triplanar> {
+        let mut fields = Fields::of(self, value, "`Triplanar`", &[EVERY_TEXTURE, form.fields]);
         let at = self.at(&mut fields);
-        let of = fields.require(self, "of").map(|of| self.color(of));
-        let sharpness = fields.number(self, "sharpness", Some(4.0), 1.0, 64.0);
+        let of = fields.color(self, "of");
+        let sharpness = fields.number(self, "sharpness");
         fields.finish(self);
         Some(Triplanar { at: at?, of: of?, sharpness })
     }
 
-    pub fn picture(&mut self, value: &scene::Value) -> Option<Picture> {
-        let mut fields = Fields::of(self, value, "`Image`");
+    fn picture(&mut self, form: &Group, value: &scene::Value) -> Option<Picture> {
+        let mut fields = Fields::of(self, value, "`Image`", &[EVERY_TEXTURE, form.fields]);
         let at = self.at(&mut fields);
         let file = fields.require(self, "file");
-        let width = fields.number(self, "width", Some(1.0), 1e-4, 1e6);
-        let repeat = fields.flag(self, "repeat", true);
+        let width = fields.number(self, "width");
+        let repeat = fields.flag(self, "repeat");
         fields.finish(self);
         let file = file?;
         let Kind::Text(path) = &file.kind else {

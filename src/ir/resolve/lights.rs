@@ -5,10 +5,9 @@ use glam::Vec3;
 use super::Resolver;
 use super::reader::Fields;
 use crate::diagnostic::Diagnostic;
+use crate::ir::fields::{EVERY_LIGHT, LIGHTS};
 use crate::ir::{Light, LightKind};
 use crate::scene::{self, Kind, Record};
-
-const KINDS: [&str; 4] = ["Point", "Directional", "Spot", "Rect"];
 
 impl Resolver<'_> {
     pub fn lights(&mut self, written: Option<&scene::Value>) -> Vec<Light> {
@@ -25,29 +24,31 @@ impl Resolver<'_> {
             self.mismatch(written, "a light such as `Point(position: (4, 6, 3))`");
             return None;
         };
-        if !KINDS.contains(&name.text.as_str()) {
+        let Some(known) = LIGHTS.iter().find(|light| light.name == name.text) else {
             let place = self.place(&name.span);
             let problem = Diagnostic::error(format!("there is no light `{}`", name.text)).at(place, "");
-            self.push(problem.suggest(&name.text, KINDS));
+            self.push(problem.suggest(&name.text, LIGHTS.iter().map(|light| light.name)));
             return None;
-        }
-        let mut fields = Fields::of(self, written, &format!("`{}`", name.text));
-        let color = fields.get("color").map_or(Vec3::ONE, |color| self.constant_color(color));
-        let intensity = fields.number(self, "intensity", Some(1.0), 0.0, 1e6);
+        };
+        let tables = [EVERY_LIGHT, known.fields];
+        let mut fields = Fields::of(self, written, &format!("`{}`", name.text), &tables);
+        let default = fields.default_color("color");
+        let color = fields.get("color").map_or(default, |color| self.constant_color(color));
+        let intensity = fields.number(self, "intensity");
         let kind = match name.text.as_str() {
             "Point" => LightKind::Point {
-                position: fields.vector(self, "position", None),
-                radius: fields.number(self, "radius", Some(0.0), 0.0, 1e6),
+                position: fields.vector(self, "position"),
+                radius: fields.number(self, "radius"),
             },
             "Directional" => LightKind::Directional {
-                direction: fields.direction(self, "direction", None),
-                spread: (fields.number(self, "angle_deg", Some(0.0), 0.0, 170.0).to_radians() / 2.0).tan(),
+                direction: fields.direction(self, "direction"),
+                spread: (fields.number(self, "angle_deg").to_radians() / 2.0).tan(),
             },
             "Spot" => self.spot(&mut fields, written),
             _ => LightKind::Rect {
-                corner: fields.vector(self, "corner", None),
-                u: fields.vector(self, "u", None),
-                v: fields.vector(self, "v", None),
+                corner: fields.vector(self, "corner"),
+                u: fields.vector(self, "u"),
+                v: fields.vector(self, "v"),
             },
         };
         let is_near = !matches!(kind, LightKind::Directional { .. });
@@ -58,11 +59,11 @@ impl Resolver<'_> {
     }
 
     fn spot(&mut self, fields: &mut Fields<'_>, written: &scene::Value) -> LightKind {
-        let position = fields.vector(self, "position", None);
-        let target = fields.vector(self, "target", Some(Vec3::ZERO));
-        let half = fields.number(self, "cone_deg", Some(30.0), 0.01, 179.0).to_radians() / 2.0;
-        let blend = fields.number(self, "blend", Some(0.1), 0.0, 1.0);
-        let radius = fields.number(self, "radius", Some(0.0), 0.0, 1e6);
+        let position = fields.vector(self, "position");
+        let target = fields.vector(self, "target");
+        let half = fields.number(self, "cone_deg").to_radians() / 2.0;
+        let blend = fields.number(self, "blend");
+        let radius = fields.number(self, "radius");
         let axis = (target - position).try_normalize().unwrap_or_else(|| {
             self.error(&written.span, "`position` and `target` are the same point");
             Vec3::NEG_Y

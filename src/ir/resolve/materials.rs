@@ -3,16 +3,10 @@
 use super::Resolver;
 use super::reader::Fields;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{Bump, Material, Property};
+use crate::ir::fields::{BUMP, MATERIAL};
+use crate::ir::{Bump, Material, Property, Value};
+use crate::library::Const;
 use crate::scene::{self, Kind, Record};
-
-/// Fields that take a texture, or a number in a range.
-const NUMBERS: [(&str, Property, (f32, f32)); 4] = [
-    ("specular", Property::Specular, (0.0, 1e3)),
-    ("shininess", Property::Shininess, (0.0, 1e5)),
-    ("reflectivity", Property::Reflectivity, (0.0, 1.0)),
-    ("transmission", Property::Transmission, (0.0, 1.0)),
-];
 
 impl<'a> Resolver<'a> {
     /// What `materials:` declares.
@@ -65,27 +59,22 @@ impl<'a> Resolver<'a> {
             self.error(&called.span, format!("`{}` is not a material", called.text)).help.push(advice);
             return 0;
         }
-        let mut fields = Fields::of(self, written, "a material");
+        let mut fields = Fields::of(self, written, "a material", &[MATERIAL]);
         let mut properties = vec![];
-        if let Some(color) = fields.get("color") {
-            properties.push((Property::Color, self.color(color)));
+        properties.extend(fields.color(self, "color").map(|color| (Property::Color, color)));
+        for (name, property) in [
+            ("specular", Property::Specular),
+            ("shininess", Property::Shininess),
+            ("reflectivity", Property::Reflectivity),
+            ("transmission", Property::Transmission),
+        ] {
+            properties.extend(fields.pattern(self, name).map(|value| (property, value)));
         }
-        for (field, property, range) in NUMBERS {
-            if let Some(value) = fields.get(field) {
-                properties.push((property, self.pattern(value, range)));
-            }
+        for (name, property) in [("fresnel", Property::Fresnel), ("ior", Property::Ior)] {
+            let number = fields.given_number(self, name).map(|x| Value::Const(Const::F32(x)));
+            properties.extend(number.map(|value| (property, value)));
         }
-        for (field, property, low, high) in
-            [("fresnel", Property::Fresnel, 0.0, 100.0), ("ior", Property::Ior, 0.01, 100.0)]
-        {
-            let given = fields.get(field).filter(|value| value.kind != Kind::None);
-            if let Some(x) = given.and_then(|value| self.number(value, Some((low, high)))) {
-                properties.push((property, crate::ir::Value::Const(crate::library::Const::F32(x))));
-            }
-        }
-        if let Some(emission) = fields.get("emission") {
-            properties.push((Property::Emission, self.color(emission)));
-        }
+        properties.extend(fields.color(self, "emission").map(|color| (Property::Emission, color)));
         let bump = fields.get("bump").and_then(|bump| self.bump(bump));
         fields.finish(self);
         properties.sort_by_key(|(property, _)| *property);
@@ -94,9 +83,9 @@ impl<'a> Resolver<'a> {
     }
 
     fn bump(&mut self, written: &scene::Value) -> Option<Bump> {
-        let mut fields = Fields::of(self, written, "`bump`");
-        let height = fields.require(self, "height").map(|height| self.pattern(height, (-1e6, 1e6)));
-        let strength = fields.number(self, "strength", Some(0.1), -1e3, 1e3);
+        let mut fields = Fields::of(self, written, "`bump`", &[BUMP]);
+        let height = fields.pattern(self, "height");
+        let strength = fields.number(self, "strength");
         fields.finish(self);
         Some(Bump { height: height?, strength })
     }

@@ -13,10 +13,9 @@ mod values;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use glam::Vec3;
-
+pub use self::objects::default_name;
 use self::reader::Fields;
-use super::{Camera, Material, Scene, Texture, Value};
+use super::{Camera, Material, Scene, Texture, Value, fields};
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::library::{Const, Image, Library, Model};
 use crate::scene;
@@ -98,7 +97,7 @@ impl<'a> Resolver<'a> {
     }
 
     fn scene(&mut self, root: &'a scene::Value) -> Scene {
-        let mut fields = Fields::of(self, root, "the scene");
+        let mut fields = Fields::of(self, root, "the scene", &[fields::SCENE]);
         let textures = fields.get("textures");
         let materials = fields.get("materials");
         let camera = fields.get("camera");
@@ -107,6 +106,8 @@ impl<'a> Resolver<'a> {
         let lights = fields.get("lights");
         let objects = fields.get("objects");
         let render = fields.get("render");
+        let default_background = fields.default_color("background");
+        let default_ambient = fields.default_color("ambient");
         fields.finish(self);
 
         self.resolve_textures(textures);
@@ -114,9 +115,9 @@ impl<'a> Resolver<'a> {
         let camera = self.camera(camera);
         let background = match background {
             Some(value) => self.color(value),
-            None => Value::Const(Const::Vec3(Vec3::ZERO)),
+            None => Value::Const(Const::Vec3(default_background)),
         };
-        let ambient = ambient.map_or(Vec3::splat(0.1), |value| self.constant_color(value));
+        let ambient = ambient.map_or(default_ambient, |value| self.constant_color(value));
         let lights = self.lights(lights);
         let (objects, bodies) = self.objects(objects, root);
         let render = self.render(render);
@@ -137,14 +138,13 @@ impl<'a> Resolver<'a> {
     }
 
     fn camera(&mut self, written: Option<&scene::Value>) -> Camera {
-        let default =
-            Camera { eye: Vec3::new(6.0, 4.0, 9.0), target: Vec3::Y, up: Vec3::Y, fov: 40f32.to_radians() };
-        let Some(written) = written else { return default };
-        let mut fields = Fields::of(self, written, "`camera`");
-        let eye = fields.vector(self, "eye", Some(default.eye));
-        let target = fields.vector(self, "target", Some(default.target));
-        let up = fields.vector(self, "up", Some(default.up));
-        let fov = fields.number(self, "fov_deg", Some(40.0), 0.1, 179.0).to_radians();
+        let left_out = scene::Value::left_out();
+        let written = written.unwrap_or(&left_out);
+        let mut fields = Fields::of(self, written, "`camera`", &[fields::CAMERA]);
+        let eye = fields.vector(self, "eye");
+        let target = fields.vector(self, "target");
+        let up = fields.vector(self, "up");
+        let fov = fields.number(self, "fov_deg").to_radians();
         fields.finish(self);
         let forward = target - eye;
         if forward.length() == 0.0 {

@@ -9,6 +9,7 @@ use super::Resolver;
 use super::placement::into_space;
 use super::reader::Fields;
 use crate::diagnostic::Diagnostic;
+use crate::ir::fields::{EVERY_OBJECT, EVERY_SOLID, Field, OPERATIONS};
 use crate::ir::{Body, Combination, Object, Operation, Solid, Value};
 use crate::library::Family;
 use crate::scene::{self, Kind, Name, Record};
@@ -16,12 +17,11 @@ use crate::scene::{self, Kind, Name, Record};
 /// Uniform data and compile time grow with the objects of a scene that is written out.
 const MOST_OBJECTS: usize = 4096;
 
-/// The solids that the generator makes of others.
-pub const OPERATIONS: [(&str, Operation); 3] = [
-    ("Union", Operation::Union),
-    ("Intersection", Operation::Intersection),
-    ("Difference", Operation::Difference),
-];
+/// The name of what the author gave none: `shape` at `index` among the parts of `around`, or among all
+/// objects.
+pub fn default_name(around: &str, shape: &str, index: usize) -> String {
+    format!("{around} {shape} {index}").trim_start().to_owned()
+}
 
 /// The objects of a scene, so far.
 #[derive(Default)]
@@ -71,10 +71,12 @@ impl Resolver<'_> {
 
     fn body(&mut self, written: &scene::Value, index: usize, found: &mut Found) -> Option<Body> {
         let shape = self.named(written)?;
-        let mut fields = Fields::of(self, written, &format!("`{}`", shape.text));
+        let mut tables = tables_of(shape);
+        tables.push(EVERY_OBJECT);
+        let mut fields = Fields::of(self, written, &format!("`{}`", shape.text), &tables);
         let bounds = fields.get("bounds").and_then(|bounds| self.bounds(bounds));
-        let visible = fields.flag(self, "visible", true);
-        let casts_shadow = fields.flag(self, "casts_shadow", true);
+        let visible = fields.flag(self, "visible");
+        let casts_shadow = fields.flag(self, "casts_shadow");
         let around = Around { name: "", to_world: None, material: None, inverted: false };
         let (solid, to_world) = self.solid(written, shape, fields, index, around, found)?;
         Some(Body { solid, space: to_world.map(into_space), bounds, visible, casts_shadow })
@@ -105,7 +107,7 @@ impl Resolver<'_> {
                 self.mismatch(value, "a name such as \"ball\"");
                 String::new()
             }
-            None => format!("{} {} {index}", around.name, shape.text).trim_start().to_owned(),
+            None => default_name(around.name, &shape.text, index),
         };
         if let Some(first) = found.names.get(&name) {
             let message = format!("two objects are called \"{name}\"");
@@ -118,7 +120,7 @@ impl Resolver<'_> {
             (outer, inner) => outer.or(inner),
         };
         let around = Around { name: &name, to_world, ..around };
-        let solid = match OPERATIONS.iter().find(|(known, _)| *known == shape.text) {
+        let solid = match OPERATIONS.iter().find(|(known, _)| known.name == shape.text) {
             Some((_, operation)) => self.combination(*operation, written, fields, around, found),
             None => {
                 let object = self.object(written, shape, fields, around)?;
@@ -143,7 +145,7 @@ impl Resolver<'_> {
         };
         let mut arguments = vec![];
         for parameter in &shape.parameters {
-            let argument = match fields.get(&parameter.name) {
+            let argument = match fields.parameter(parameter) {
                 // A distance is asked for at points, and so are textures.
                 Some(value) if shape.traits.is_distance => self.argument(parameter, value),
                 Some(value) => self.fixed(parameter, value).or(parameter.default.map(Value::Const)),
@@ -190,7 +192,7 @@ impl Resolver<'_> {
         let mut solids = vec![];
         for (i, item) in items.iter().enumerate() {
             let Some(shape) = self.named(item) else { continue };
-            let fields = Fields::of(self, item, &format!("`{}` as a part", shape.text));
+            let fields = Fields::of(self, item, &format!("`{}` as a part", shape.text), &tables_of(shape));
             let cut = operation == Operation::Difference && i > 0;
             let around = Around { inverted: around.inverted != cut, ..around };
             let Some((solid, _)) = self.solid(item, shape, fields, i, around, found) else { continue };
@@ -220,4 +222,10 @@ impl Resolver<'_> {
             }
         }
     }
+}
+
+/// The tables of the fields of a part called `shape`.
+fn tables_of(shape: &Name) -> Vec<&'static [Field]> {
+    let operation = OPERATIONS.iter().find(|(known, _)| known.name == shape.text);
+    [EVERY_SOLID].into_iter().chain(operation.map(|(group, _)| group.fields)).collect()
 }

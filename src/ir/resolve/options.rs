@@ -3,45 +3,24 @@
 use super::Resolver;
 use super::reader::Fields;
 use crate::diagnostic::Diagnostic;
-use crate::ir::{MAX_BOUNCES, Render, ToneMap, Transfer};
+use crate::ir::fields::RENDER;
+use crate::ir::{Render, ToneMap, Transfer};
 use crate::scene::{Kind, Record, Value};
 
 impl Resolver<'_> {
     pub fn render(&mut self, written: Option<&Value>) -> Render {
-        let mut render = Render {
-            max_bounces: 5,
-            shadows: true,
-            shadow_samples: 16,
-            texture_filter: true,
-            transfer: Transfer::Srgb,
-            gain: 1.0,
-            tone_map: ToneMap::Clamp,
-        };
-        let Some(written) = written else { return render };
-        let mut fields = Fields::of(self, written, "`render`");
-        render.max_bounces = self.count(&mut fields, "max_bounces", render.max_bounces, 0, MAX_BOUNCES);
-        render.shadows = fields.flag(self, "shadows", render.shadows);
-        render.shadow_samples = self.count(&mut fields, "shadow_samples", render.shadow_samples, 1, 1024);
-        render.texture_filter = fields.flag(self, "texture_filter", render.texture_filter);
-        if let Some(transfer) = fields.get("transfer") {
-            render.transfer = self.transfer(transfer);
-        }
-        render.gain = fields.number(self, "exposure", Some(0.0), -40.0, 40.0).exp2();
-        if let Some(tone_map) = fields.get("tone_map") {
-            render.tone_map = self.tone_map(tone_map);
-        }
+        let left_out = Value::left_out();
+        let written = written.unwrap_or(&left_out);
+        let mut fields = Fields::of(self, written, "`render`", &[RENDER]);
+        let max_bounces = fields.number(self, "max_bounces") as u32;
+        let shadows = fields.flag(self, "shadows");
+        let shadow_samples = fields.number(self, "shadow_samples") as u32;
+        let texture_filter = fields.flag(self, "texture_filter");
+        let transfer = fields.get("transfer").map_or(Transfer::Srgb, |written| self.transfer(written));
+        let gain = fields.number(self, "exposure").exp2();
+        let tone_map = fields.get("tone_map").map_or(ToneMap::Clamp, |written| self.tone_map(written));
         fields.finish(self);
-        render
-    }
-
-    fn count(&mut self, fields: &mut Fields<'_>, name: &str, default: u32, low: u32, high: u32) -> u32 {
-        let x = fields.number(self, name, Some(default as f32), low as f32, high as f32);
-        if x.fract() != 0.0
-            && let Some(value) = fields.get(name)
-        {
-            self.mismatch(value, "a whole number");
-        }
-        x as u32
+        Render { max_bounces, shadows, shadow_samples, texture_filter, transfer, gain, tone_map }
     }
 
     fn transfer(&mut self, written: &Value) -> Transfer {

@@ -5,6 +5,7 @@ use glam::{DAffine3, DMat3, DQuat, Vec3};
 use super::Resolver;
 use super::reader::Fields;
 use crate::ir::Space;
+use crate::ir::fields::BOUNDS;
 use crate::scene::{self, Kind};
 
 /// The map from the world into the space of what `to_world` places.
@@ -22,9 +23,8 @@ impl Resolver<'_> {
     /// The map into the space around, where the author moves the thing.
     pub fn placement(&mut self, fields: &mut Fields<'_>) -> Option<DAffine3> {
         let moved = ["translate", "rotate_deg", "scale"].iter().any(|field| fields.has(field));
-        let translate = fields.vector(self, "translate", Some(Vec3::ZERO)).as_dvec3();
-        let turned =
-            fields.vector(self, "rotate_deg", Some(Vec3::ZERO)).as_dvec3() * (std::f64::consts::PI / 180.0);
+        let translate = fields.vector(self, "translate").as_dvec3();
+        let turned = fields.vector(self, "rotate_deg").as_dvec3() * (std::f64::consts::PI / 180.0);
         let scale = match fields.get("scale") {
             Some(value) => self.scale(value),
             None => Vec3::ONE,
@@ -57,9 +57,9 @@ impl Resolver<'_> {
 
     pub fn bounds(&mut self, written: &scene::Value) -> Option<(Vec3, Vec3)> {
         let before = self.problems.len();
-        let mut fields = Fields::of(self, written, "`bounds`");
-        let min = fields.vector(self, "min", None);
-        let max = fields.vector(self, "max", None);
+        let mut fields = Fields::of(self, written, "`bounds`", &[BOUNDS]);
+        let min = fields.vector(self, "min");
+        let max = fields.vector(self, "max");
         fields.finish(self);
         if self.problems.len() == before && min.cmpge(max).any() {
             self.error(&written.span, "`min` must be below `max`");

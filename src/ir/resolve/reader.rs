@@ -6,6 +6,9 @@ use glam::Vec3;
 
 use super::Resolver;
 use crate::diagnostic::Diagnostic;
+use crate::ir;
+use crate::ir::fields::{Field as Known, Number, Takes};
+use crate::library::Parameter;
 use crate::scene::{Field, Kind, Value};
 
 /// The fields of one group of a scene.
@@ -14,12 +17,19 @@ pub struct Fields<'v> {
     owner: String,
     span: Range<usize>,
     fields: &'v [Field],
+    /// What may stand there, parameters aside.
+    known: Vec<&'static Known>,
     asked: Vec<String>,
 }
 
 impl<'v> Fields<'v> {
-    /// The fields of `value`; an error and no fields where it has none.
-    pub fn of(resolver: &mut Resolver<'_>, value: &'v Value, owner: &str) -> Self {
+    /// The fields of `value`, which `tables` list; an error and no fields where it has none.
+    pub fn of(
+        resolver: &mut Resolver<'_>,
+        value: &'v Value,
+        owner: &str,
+        tables: &[&'static [Known]],
+    ) -> Self {
         let fields = match &value.kind {
             Kind::Record(record) if record.items.is_empty() => record.fields.as_slice(),
             _ => {
@@ -39,13 +49,37 @@ impl<'v> Fields<'v> {
                 resolver.push(Diagnostic::error(message).at(here, "again").at(there, "first"));
             }
         }
-        Self { owner: owner.to_owned(), span: value.span.clone(), fields, asked: vec![] }
+        let known = tables.iter().copied().flatten().collect();
+        Self { owner: owner.to_owned(), span: value.span.clone(), fields, known, asked: vec![] }
     }
 
     /// The value of `name`, if the author gave one.
     pub fn get(&mut self, name: &str) -> Option<&'v Value> {
+        self.known(name);
+        self.value(name)
+    }
+
+    /// The value of a function's parameter, if the author gave one.
+    pub fn parameter(&mut self, parameter: &Parameter) -> Option<&'v Value> {
+        self.value(&parameter.name)
+    }
+
+    fn value(&mut self, name: &str) -> Option<&'v Value> {
         self.asked.push(name.to_owned());
         self.fields.iter().find(|f| f.name.text == name).map(|f| &f.value)
+    }
+
+    /// What the tables say of `name`. Only what they list is read, so that they list all there is.
+    fn known(&self, name: &str) -> &'static Known {
+        let known = self.known.iter().find(|known| known.name == name);
+        known.unwrap_or_else(|| panic!("{} has `{name}` in no table of ir/fields.rs", self.owner))
+    }
+
+    fn limits(&self, name: &str) -> Number {
+        match self.known(name).takes {
+            Takes::Number(number) => number,
+            other => panic!("`{name}` of {} is no number but {other:?}", self.owner),
+        }
     }
 
     /// The value of `name`, or an error.
@@ -58,30 +92,64 @@ impl<'v> Fields<'v> {
         value
     }
 
-    /// A number from `low` to `high`; required where there is no default.
-    pub fn number(
-        &mut self,
-        resolver: &mut Resolver<'_>,
-        name: &str,
-        default: Option<f32>,
-        low: f32,
-        high: f32,
-    ) -> f32 {
-        let written = if default.is_some() { self.get(name) } else { self.require(resolver, name) };
-        let otherwise = default.unwrap_or(low);
-        written.map_or(otherwise, |value| resolver.number(value, Some((low, high))).unwrap_or(otherwise))
+    /// A number within its limits; required where there is no default.
+    pub fn number(&mut self, resolver: &mut Resolver<'_>, name: &str) -> f32 {
+        let limits = self.limits(name);
+        let is_required = self.known(name).is_required;
+        let written = if is_required { self.require(resolver, name) } else { self.get(name) };
+        let otherwise = limits.default.unwrap_or(limits.low);
+        let Some(value) = written else { return otherwise };
+        let x = resolver.number(value, Some((limits.low, limits.high))).unwrap_or(otherwise);
+        if limits.is_whole && x.fract() != 0.0 {
+            resolver.mismatch(value, "a whole number");
+        }
+        x
+    }
+
+    /// A number within its limits, if the author gave one; `None` gives none.
+    pub fn given_number(&mut self, resolver: &mut Resolver<'_>, name: &str) -> Option<f32> {
+        let Number { low, high, .. } = self.limits(name);
+        let given = self.get(name).filter(|value| value.kind != Kind::None);
+        given.and_then(|value| resolver.number(value, Some((low, high))))
+    }
+
+    /// A number or a pattern, if the author gave one; an error where it is required.
+    pub fn pattern(&mut self, resolver: &mut Resolver<'_>, name: &str) -> Option<ir::Value> {
+        let Number { low, high, .. } = self.limits(name);
+        let is_required = self.known(name).is_required;
+        let written = if is_required { self.require(resolver, name) } else { self.get(name) };
+        written.map(|value| resolver.pattern(value, (low, high)))
+    }
+
+    /// A color or a texture, if the author gave one; an error where it is required.
+    pub fn color(&mut self, resolver: &mut Resolver<'_>, name: &str) -> Option<ir::Value> {
+        let is_required = self.known(name).is_required;
+        let written = if is_required { self.require(resolver, name) } else { self.get(name) };
+        written.map(|value| resolver.color(value))
+    }
+
+    /// The color that holds where the author leaves `name` out.
+    pub fn default_color(&self, name: &str) -> Vec3 {
+        match self.known(name).takes {
+            Takes::Color { default, .. } => Vec3::splat(default),
+            other => panic!("`{name}` of {} is no color but {other:?}", self.owner),
+        }
     }
 
     /// A vector; required where there is no default.
-    pub fn vector(&mut self, resolver: &mut Resolver<'_>, name: &str, default: Option<Vec3>) -> Vec3 {
+    pub fn vector(&mut self, resolver: &mut Resolver<'_>, name: &str) -> Vec3 {
+        let default = match self.known(name).takes {
+            Takes::Vector { default } => default.map(Vec3::from_array),
+            other => panic!("`{name}` of {} is no vector but {other:?}", self.owner),
+        };
         let written = if default.is_some() { self.get(name) } else { self.require(resolver, name) };
         let otherwise = default.unwrap_or(Vec3::ZERO);
         written.map_or(otherwise, |value| resolver.vector(value).unwrap_or(otherwise))
     }
 
     /// A vector with a length, scaled to length 1.
-    pub fn direction(&mut self, resolver: &mut Resolver<'_>, name: &str, default: Option<Vec3>) -> Vec3 {
-        let given = self.vector(resolver, name, default);
+    pub fn direction(&mut self, resolver: &mut Resolver<'_>, name: &str) -> Vec3 {
+        let given = self.vector(resolver, name);
         given.try_normalize().unwrap_or_else(|| {
             if let Some(field) = self.fields.iter().find(|f| f.name.text == name) {
                 resolver.error(&field.value.span, format!("`{name}` has no length"));
@@ -90,7 +158,11 @@ impl<'v> Fields<'v> {
         })
     }
 
-    pub fn flag(&mut self, resolver: &mut Resolver<'_>, name: &str, default: bool) -> bool {
+    pub fn flag(&mut self, resolver: &mut Resolver<'_>, name: &str) -> bool {
+        let default = match self.known(name).takes {
+            Takes::Flag { default } => default,
+            other => panic!("`{name}` of {} is no flag but {other:?}", self.owner),
+        };
         self.get(name).map_or(default, |value| match value.kind {
             Kind::Bool(b) => b,
             _ => {

@@ -3,10 +3,9 @@
 use std::sync::Arc;
 
 use super::Resolver;
-use super::forms::{FORMS, IMAGE, RAMP, TRIPLANAR};
-use super::objects::OPERATIONS;
 use super::reader::Fields;
 use crate::diagnostic::Diagnostic;
+use crate::ir::fields::{EVERY_TEXTURE, FORMS, OPERATIONS};
 use crate::ir::{Call, Texture, Value};
 use crate::library::{Const, Family, Function, Kind, Parameter, Type};
 use crate::scene::{self, Kind as Written, Record};
@@ -153,11 +152,8 @@ impl<'a> Resolver<'a> {
     /// What `Name(…)` computes.
     fn texture(&mut self, value: &scene::Value, record: &Record) -> Option<Value> {
         let name = record.name.as_ref().expect("the caller has looked");
-        match name.text.as_str() {
-            RAMP => return self.ramp(value).map(|ramp| Value::Ramp(Box::new(ramp))),
-            TRIPLANAR => return self.triplanar(value).map(|form| Value::Triplanar(Box::new(form))),
-            IMAGE => return self.picture(value).map(|form| Value::Picture(Box::new(form))),
-            _ => {}
+        if let Some(form) = FORMS.iter().find(|form| form.name == name.text) {
+            return self.form(form, value);
         }
         let function = self.function(Family::Texture, name)?;
         if function.kind == Kind::Mapping {
@@ -181,8 +177,8 @@ impl<'a> Resolver<'a> {
                 let noun = family.noun();
                 let mut known = self.lookup.names(family);
                 match family {
-                    Family::Texture => known.extend(FORMS.map(str::to_owned)),
-                    Family::Shape => known.extend(OPERATIONS.map(|(name, _)| name.to_owned())),
+                    Family::Texture => known.extend(FORMS.iter().map(|form| form.name.to_owned())),
+                    Family::Shape => known.extend(OPERATIONS.iter().map(|(group, _)| group.name.to_owned())),
                 }
                 let place = self.place(&name.span);
                 let problem = Diagnostic::error(format!("there is no {noun} `{}`", name.text)).at(place, "");
@@ -197,12 +193,12 @@ impl<'a> Resolver<'a> {
     }
 
     fn call(&mut self, function: Arc<Function>, value: &scene::Value) -> Option<Call> {
-        let mut fields = Fields::of(self, value, &format!("`{}`", function.name));
+        let mut fields = Fields::of(self, value, &format!("`{}`", function.name), &[EVERY_TEXTURE]);
         let at = self.at(&mut fields);
         let before = self.problems.len();
         let mut arguments = vec![];
         for parameter in &function.parameters {
-            let argument = match fields.get(&parameter.name) {
+            let argument = match fields.parameter(parameter) {
                 Some(given) => self.argument(parameter, given),
                 None => parameter.default.map(Value::Const),
             };
@@ -239,7 +235,7 @@ impl<'a> Resolver<'a> {
             self.mismatch(value, "a mapping such as `Turbulence()`");
             return None;
         };
-        let is_form = FORMS.contains(&name.text.as_str());
+        let is_form = FORMS.iter().any(|form| form.name == name.text);
         let function = if is_form { None } else { Some(self.function(Family::Texture, name)?) };
         match function.filter(|f| f.kind == Kind::Mapping) {
             Some(function) => self.call(function, value),

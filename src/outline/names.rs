@@ -1,0 +1,107 @@
+//! Names that could stand in a scene: what files define, and what the scene itself declares.
+
+use std::sync::Arc;
+
+use crate::ir::fields::{FORMS, Group, LIGHTS, OPERATIONS};
+use crate::library::{Family, Kind, Library, Parameter, Type};
+use crate::scene::{self, Path, Value};
+
+/// All that a scene may name, each list in order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Names {
+    /// Patterns and colors.
+    pub textures: Arc<[String]>,
+    pub mappings: Arc<[String]>,
+    /// Shapes, then the ways to combine them.
+    pub solids: Arc<[String]>,
+    /// Those that enclose something, and so may be parts of others.
+    pub parts: Arc<[String]>,
+    pub lights: Arc<[String]>,
+    pub declared_textures: Arc<[String]>,
+    pub declared_materials: Arc<[String]>,
+}
+
+impl Names {
+    pub fn new(root: &Value, library: &Library<'_>) -> Self {
+        let functions = |family: Family| {
+            let names = library.names(family).into_iter();
+            names.filter_map(|name| library.find(family, &name).ok()).collect::<Vec<_>>()
+        };
+        let textures = functions(Family::Texture);
+        let (mappings, mut textures): (Vec<_>, Vec<_>) = textures
+            .iter()
+            .map(|function| (function.kind == Kind::Mapping, function.name.clone()))
+            .partition(|(is_mapping, _)| *is_mapping);
+        textures.extend(FORMS.iter().map(|form| (false, form.name.to_owned())));
+        textures.sort();
+        let shapes = functions(Family::Shape);
+        let operations = || OPERATIONS.iter().map(|(group, _)| group.name.to_owned());
+        let closed = shapes.iter().filter(|shape| !shape.traits.is_open);
+        let declared = |field: &str| match root.at(&Path::default().field(field)).map(|v| &v.kind) {
+            Some(scene::Kind::Map(entries)) => entries.iter().map(|e| e.name.text.clone()).collect(),
+            _ => Arc::default(),
+        };
+        Self {
+            textures: textures.into_iter().map(|(_, name)| name).collect(),
+            mappings: mappings.into_iter().map(|(_, name)| name).collect(),
+            solids: shapes.iter().map(|shape| shape.name.clone()).chain(operations()).collect(),
+            parts: closed.map(|shape| shape.name.clone()).chain(operations()).collect(),
+            lights: LIGHTS.iter().map(|light| light.name.to_owned()).collect(),
+            declared_textures: declared("textures"),
+            declared_materials: declared("materials"),
+        }
+    }
+}
+
+/// What a name stands for; some are those of a texture and of a solid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    Light,
+    /// A shape, or a solid made of several.
+    Solid,
+    /// A texture or mapping.
+    Texture,
+}
+
+/// RON text with `name` and no more than it must be given, to be put into a scene; None for a name that
+/// nobody knows.
+pub fn example(role: Role, name: &str, library: &Library<'_>) -> Option<String> {
+    let groups: Vec<&Group> = match role {
+        Role::Light => LIGHTS.iter().collect(),
+        Role::Solid => OPERATIONS.iter().map(|(group, _)| group).collect(),
+        Role::Texture => FORMS.iter().collect(),
+    };
+    if let Some(group) = groups.into_iter().find(|group| group.name == name) {
+        return Some(group.example.to_owned());
+    }
+    let family = match role {
+        Role::Light => return None,
+        Role::Solid => Family::Shape,
+        Role::Texture => Family::Texture,
+    };
+    let function = library.find(family, name).ok()?;
+    let required = function.parameters.iter().filter(|parameter| parameter.default.is_none());
+    let given = required.enumerate().map(|(i, p)| format!("{}: {}", p.name, any(p, i)));
+    Some(format!("{name}({})", given.collect::<Vec<_>>().join(", ")))
+}
+
+/// Something that `parameter` takes. Of vectors, the first is the origin and the others are along the axes,
+/// so that corners lie apart.
+fn any(parameter: &Parameter, index: usize) -> String {
+    let (low, high) = parameter.range.unwrap_or((f32::MIN, f32::MAX));
+    let within = |x: f32| x.clamp(low, high).to_string();
+    if let Some(first) = parameter.choices.first() {
+        return format!("\"{first}\"");
+    }
+    let axis = if parameter.nonzero { index.max(1) } else { index };
+    match parameter.ty {
+        Type::Bool => "true".into(),
+        Type::Model => "\"model.obj\"".into(),
+        Type::F32 | Type::I32 | Type::U32 => within(1.0),
+        Type::Vec2 | Type::Vec3 | Type::Vec4 => {
+            let size = parameter.ty.size();
+            let along = |i: usize| if axis > 0 && (axis - 1) % size == i { 1.0 } else { 0.0 };
+            format!("({})", (0..size).map(|i| within(along(i))).collect::<Vec<_>>().join(", "))
+        }
+    }
+}
