@@ -24,9 +24,11 @@ const IMPORTS: [(&str, &[&str]); 15] = [
         "app",
         &[
             "diagnostic",
+            "edit",
             "gpu",
             "ir",
             "library",
+            "outline",
             "scene",
             "sources",
             "watch",

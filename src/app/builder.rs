@@ -11,10 +11,13 @@ use std::time::{Duration, Instant};
 use super::events::Change;
 use crate::diagnostic::{Diagnostic, Report};
 use crate::gpu::{Gpu, Pipeline};
+use crate::library::Library;
+use crate::outline::{self, Outline};
+use crate::scene;
 use crate::sources::Sources;
 use crate::watch::Watcher;
 use crate::wgsl::Mode;
-use crate::{Compiled, compile};
+use crate::{Compiled, compile, on_deep_stack};
 
 /// What to build.
 pub enum Order {
@@ -22,6 +25,8 @@ pub enum Order {
     Open(PathBuf),
     /// The same, whose files have changed.
     Changed,
+    /// The same, with this text instead of what the scene's file holds; None for the file's again.
+    Edited(Option<Arc<str>>),
     /// The last version is on the screen: there is time for its live pipeline.
     Shown,
 }
@@ -30,6 +35,13 @@ pub enum Order {
 pub enum Built {
     /// Nothing yet: the files have changed, and a verdict follows.
     Begun,
+    /// The scene's file holds another text than before.
+    File(Arc<str>),
+    /// What the scene's text, as it was shown or found wrong, offers to change.
+    Outline {
+        outline: Box<Outline>,
+        text: Arc<str>,
+    },
     Scene(Box<Version>),
     /// The live pipeline of the last [`Change::Structure`].
     Live(Pipeline),
@@ -54,7 +66,15 @@ pub fn start(gpu: Gpu, done: impl Fn(Built) + Send + 'static) -> Sender<Order> {
     let changes = sender.clone();
     std::thread::spawn(move || {
         let watcher = Watcher::new(move || drop(changes.send(Order::Changed)));
-        let mut builder = Builder { gpu, watcher, scene: PathBuf::new(), before: None, without_live: None };
+        let mut builder = Builder {
+            gpu,
+            watcher,
+            scene: PathBuf::new(),
+            edited: None,
+            file: None,
+            before: None,
+            without_live: None,
+        };
         while let Ok(first) = receiver.recv() {
             builder.obey(std::iter::once(first).chain(receiver.try_iter()), &done);
         }
@@ -66,6 +86,10 @@ struct Builder {
     gpu: Gpu,
     watcher: Watcher,
     scene: PathBuf,
+    /// What stands for the text of the scene's file.
+    edited: Option<Arc<str>>,
+    /// What that file held when it was last read.
+    file: Option<Arc<str>>,
     /// The last version that could be drawn.
     before: Option<Arc<Compiled>>,
     /// The same, while it has no live pipeline: that waits until the author sees the baked one.
@@ -76,29 +100,54 @@ impl Builder {
     /// Takes all orders that have come as one.
     fn obey(&mut self, orders: impl Iterator<Item = Order>, done: &impl Fn(Built)) {
         let mut is_stale = false;
+        let mut is_shown = false;
         for order in orders {
-            if let Order::Open(scene) = order {
-                self.scene = scene;
-                is_stale = true;
-            } else if let Order::Changed = order {
-                is_stale = true;
+            is_stale |= !matches!(order, Order::Shown);
+            match order {
+                Order::Open(scene) => {
+                    self.scene = scene;
+                    self.edited = None;
+                    self.file = None;
+                }
+                Order::Edited(text) => self.edited = text,
+                Order::Changed => {}
+                Order::Shown => is_shown = true,
             }
         }
+        let is_new = is_stale && self.build(done) == Some(Change::Structure);
         if is_stale {
-            self.build(done);
-        } else {
+            self.outline(done);
+        }
+        if is_shown && !is_new {
             self.build_live(done);
         }
     }
 
-    fn build(&mut self, done: &impl Fn(Built)) {
+    /// Compiles and tells; what kind of change it was, unless the scene is wrong.
+    fn build(&mut self, done: &impl Fn(Built)) -> Option<Change> {
         let noticed = Instant::now();
         done(Built::Begun);
         let here = std::env::current_dir().unwrap_or_else(|_| Path::new(".").into());
-        let sources = Sources::on_disk(&here);
+        let disk = Sources::on_disk(&here);
+        let file = disk.text(&self.scene).ok();
+        if file.is_some() && file != self.file {
+            self.file = file;
+            done(Built::File(self.file.clone().expect("it was just read")));
+        }
+        if self.edited == self.file {
+            self.edited = None;
+        }
+        let mut sources = Sources::on_disk(&here);
+        if let Some(text) = &self.edited {
+            sources = sources.with(&self.scene, text);
+        }
         let outcome = compile(&sources, &self.scene, Mode::Live, self.before.as_deref());
-        self.watcher.watch(sources.asked());
-        let Some(compiled) = outcome.compiled else { return done(Built::Broken(outcome.report)) };
+        // An edit that is not saved must not hide what becomes of the file.
+        self.watcher.watch(sources.asked().into_iter().chain(disk.asked()).collect());
+        let Some(compiled) = outcome.compiled else {
+            done(Built::Broken(outcome.report));
+            return None;
+        };
         let compiled = Arc::new(compiled);
         let mut change = self.change(&compiled);
         if change == Change::Numbers && !self.build_live(done) {
@@ -110,7 +159,8 @@ impl Builder {
             match self.baked(&compiled) {
                 Ok(pipeline) => baked = Some(pipeline),
                 Err(problem) => {
-                    return done(Built::Broken(Report { diagnostics: vec![problem], ..outcome.report }));
+                    done(Built::Broken(Report { diagnostics: vec![problem], ..outcome.report }));
+                    return None;
                 }
             }
         }
@@ -127,6 +177,22 @@ impl Builder {
         self.before = Some(compiled.clone());
         if change == Change::Structure {
             self.without_live = Some(compiled);
+        }
+        Some(change)
+    }
+
+    /// Tells what the scene's text offers to change, if it can be read.
+    fn outline(&self, done: &impl Fn(Built)) {
+        let Some(text) = self.edited.clone().or_else(|| self.file.clone()) else { return };
+        let here = std::env::current_dir().unwrap_or_else(|_| Path::new(".").into());
+        let sources = Sources::on_disk(&here);
+        let library = Library::new(&sources, self.scene.parent().unwrap_or(Path::new("")));
+        let outline = on_deep_stack(|| {
+            let root = scene::parse(&sources.name(&self.scene), &text).ok()?;
+            Some(outline::outline(&root, &text, &library))
+        });
+        if let Some(outline) = outline {
+            done(Built::Outline { outline: Box::new(outline), text });
         }
     }
 

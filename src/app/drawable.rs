@@ -1,6 +1,7 @@
 //! A version of the scene with its pipelines, as the painter keeps it.
 
 use super::builder::Version;
+use super::events::Change;
 use crate::gpu::Pipeline;
 
 /// A scene on the GPU.
@@ -19,6 +20,18 @@ pub struct Drawable {
 }
 
 impl Drawable {
+    /// `version`, which took the place of `before`: where only numbers differ, that one's pipeline goes on.
+    pub fn new(mut version: Box<Version>, before: Option<Drawable>) -> Self {
+        let snippets = version.compiled.source.sections.iter().filter(|s| !s.name.starts_with("shaders/"));
+        let reads = |what: &str| snippets.clone().any(|s| s.text.contains(what));
+        let (moves, reads_mouse) = (reads("frame.time"), reads("frame.mouse"));
+        let edit = before.as_ref().map_or(0, |scene| scene.edit + 1);
+        let baked = version.baked.take();
+        let live = before.filter(|_| version.change == Change::Numbers).and_then(|before| before.live);
+        let is_warm = live.is_some();
+        Self { version, baked, live, is_warm, is_shown: false, edit, moves, reads_mouse }
+    }
+
     /// The baked pipeline until a number is edited, then the live one.
     pub fn pipeline(&self) -> &Pipeline {
         let pipeline = self.baked.as_ref().or(self.live.as_ref());

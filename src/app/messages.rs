@@ -9,10 +9,13 @@ use crate::Compiled;
 use crate::diagnostic::Report;
 use crate::gpu::{GpuError, View};
 use crate::ir::Camera;
+use crate::outline::Outline;
 
 /// What the window wants to see.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Look {
+    /// Where in the window the picture's top left is, pixels.
+    pub corner: [u32; 2],
     /// Pixels.
     pub size: [u32; 2],
     /// None for the scene's own.
@@ -20,6 +23,26 @@ pub struct Look {
     pub view: View,
     /// Pixels from the top left.
     pub mouse: [f32; 2],
+    pub clock: Clock,
+}
+
+/// The time that a scene shows which reads it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Clock {
+    /// It stands at a time, seconds.
+    Stopped(f32),
+    /// It was this late at that moment, and goes on.
+    Running { then: f32, at: Instant },
+}
+
+impl Clock {
+    /// Seconds, now.
+    pub fn time(self) -> f32 {
+        match self {
+            Clock::Stopped(time) => time,
+            Clock::Running { then, at } => then + at.elapsed().as_secs_f32(),
+        }
+    }
 }
 
 /// Something for the painter to do.
@@ -39,6 +62,13 @@ pub enum Notice {
     Ready {
         pipelines: u32,
     },
+    /// The scene's file holds another text than before.
+    File(Arc<str>),
+    /// What the scene's text offers to change.
+    Outline {
+        outline: Box<Outline>,
+        text: Arc<str>,
+    },
     /// The scene is wrong; nothing else changes.
     Broken(Report),
     /// The GPU failed.
@@ -57,6 +87,8 @@ pub struct Picture {
     pub pipeline_time: Duration,
     /// Of one sample at the shown resolution.
     pub frame_time: Duration,
+    /// Whether the scene reads the clock.
+    pub moves: bool,
     pub compiled: Arc<Compiled>,
     pub warnings: Report,
 }

@@ -8,9 +8,12 @@
 
 mod builder;
 mod camera;
+mod document;
 mod drawable;
+mod editor;
 mod events;
 mod messages;
+mod pace;
 mod painter;
 mod panel;
 mod screen;

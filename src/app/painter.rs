@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 use super::builder::{Built, Version};
 use super::drawable::Drawable;
 use super::events::Change;
-use super::messages::{FORMAT, Look, Notice, Picture, Texels, Wish};
+use super::messages::{Clock, FORMAT, Look, Notice, Picture, Texels, Wish};
+use super::pace::Pace;
 use crate::gpu::{Display, Gpu, GpuError, Moment, Target, Tracer, View, sample_offset};
 
 /// No slice of a picture takes much longer.
@@ -27,7 +28,9 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
     let (sender, receiver) = channel();
     std::thread::spawn(move || {
         let display = Display::new(&gpu, FORMAT);
-        let look = Look { size: [0, 0], camera: None, view: View::Color, mouse: [0.0; 2] };
+        let clock = Clock::Stopped(0.0);
+        let look =
+            Look { corner: [0; 2], size: [0; 2], camera: None, view: View::Color, mouse: [0.0; 2], clock };
         let mut painter = Painter {
             gpu,
             shares_device,
@@ -39,12 +42,11 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
             coarseness: 1,
             rows_done: 0,
             sample_started: Instant::now(),
-            nanos_per_pixel: if shares_device { 10.0 } else { 150.0 },
-            is_probe: true,
+            pace: Pace::new(!shares_device),
             is_held: false,
             shown: Instant::now(),
             waits_until: None,
-            started: Instant::now(),
+            time: 0.0,
         };
         painter.run(&receiver);
     });
@@ -63,16 +65,14 @@ struct Painter {
     coarseness: u32,
     rows_done: u32,
     sample_started: Instant,
-    /// What a pixel cost lately.
-    nanos_per_pixel: f64,
-    /// Whether the pipeline has not drawn yet: its first slice may hold the driver's compile time.
-    is_probe: bool,
+    pace: Pace,
     /// Whether another version is being built on the processor that would draw this one.
     is_held: bool,
     shown: Instant,
     /// When to go on although the window has not shown the last picture.
     waits_until: Option<Instant>,
-    started: Instant,
+    /// Of the picture that is being drawn, seconds.
+    time: f32,
 }
 
 impl Painter {
@@ -101,16 +101,24 @@ impl Painter {
     }
 
     fn is_done(&self) -> bool {
-        let Some(scene) = &self.scene else { return true };
+        if self.scene.is_none() {
+            return true;
+        }
         let complete = self.tracer.as_ref().is_some_and(|t| t.samples() >= SAMPLES) && self.coarseness == 1;
         let is_visible = !self.look.size.contains(&0);
-        self.is_held || !is_visible || (complete && !scene.moves && !self.needs_warming())
+        self.is_held || !is_visible || (complete && !self.is_moving() && !self.needs_warming())
+    }
+
+    /// Whether the picture changes by itself.
+    fn is_moving(&self) -> bool {
+        let moves = self.scene.as_ref().is_some_and(|scene| scene.moves);
+        moves && matches!(self.look.clock, Clock::Running { .. })
     }
 
     /// Whether a live pipeline waits for its first draw, and the author already sees the scene.
     fn needs_warming(&self) -> bool {
         let Some(scene) = &self.scene else { return false };
-        let is_settled = self.rows_done == 0 && (self.coarseness == 1 || scene.moves);
+        let is_settled = self.rows_done == 0 && (self.coarseness == 1 || self.is_moving());
         is_settled && scene.is_shown && scene.live.is_some() && !scene.is_warm
     }
 
@@ -128,20 +136,33 @@ impl Painter {
 
     fn grant(&mut self, wish: Wish) {
         if let Wish::Built(built) = &wish {
-            self.is_held = !self.shares_device && matches!(built, Built::Begun);
+            match built {
+                Built::Begun => self.is_held = !self.shares_device,
+                Built::Scene(_) | Built::Broken(_) => self.is_held = false,
+                _ => {}
+            }
         }
         match wish {
             Wish::Shown => self.waits_until = None,
             Wish::Look(look) => {
-                let reads_mouse = self.scene.as_ref().is_some_and(|s| s.reads_mouse);
-                let is_other =
-                    look != Look { mouse: look.mouse, ..self.look } || (reads_mouse && look != self.look);
+                let before = self.look;
+                let scene = self.scene.as_ref();
+                let reads_mouse = scene.is_some_and(|s| s.reads_mouse) && look.mouse != before.mouse;
+                let reads_clock = scene.is_some_and(|s| s.moves) && look.clock != before.clock;
+                let is_other = look
+                    != Look { corner: look.corner, mouse: look.mouse, clock: look.clock, ..before }
+                    || reads_mouse
+                    || reads_clock;
                 self.look = look;
                 if is_other {
                     self.restart(PROMPT);
                 }
             }
             Wish::Built(Built::Begun) => {}
+            Wish::Built(Built::File(text)) => (self.notify)(Notice::File(text)),
+            Wish::Built(Built::Outline { outline, text }) => {
+                (self.notify)(Notice::Outline { outline, text });
+            }
             Wish::Built(Built::Broken(report)) => (self.notify)(Notice::Broken(report)),
             Wish::Built(Built::Scene(version)) => self.take(version),
             Wish::Built(Built::Live(pipeline)) => {
@@ -153,47 +174,24 @@ impl Painter {
         }
     }
 
-    fn take(&mut self, mut version: Box<Version>) {
+    fn take(&mut self, version: Box<Version>) {
         if version.change == Change::Cosmetic {
             return (self.notify)(Notice::Unchanged(version.warnings));
         }
         self.waits_until = None;
-        let before = self.scene.take();
-        let edit = before.as_ref().map_or(0, |scene| scene.edit + 1);
-        let baked = version.baked.take();
-        let prompt = if baked.is_some() { PROMPT_EDIT } else { PROMPT };
-        self.is_probe |= baked.is_some();
-        let snippets = version.compiled.source.sections.iter().filter(|s| !s.name.starts_with("shaders/"));
-        let reads = |what: &str| snippets.clone().any(|s| s.text.contains(what));
-        let (moves, reads_mouse) = (reads("frame.time"), reads("frame.mouse"));
-        let fresh = Drawable {
-            version,
-            baked,
-            live: None,
-            is_warm: false,
-            is_shown: false,
-            edit,
-            moves,
-            reads_mouse,
-        };
-        let scene = match before {
-            Some(before) if fresh.version.change == Change::Numbers => {
-                Drawable { live: before.live, is_warm: true, ..fresh }
-            }
-            _ => fresh,
-        };
+        let has_pipeline = version.baked.is_some();
+        self.pace.is_probe |= has_pipeline;
+        let scene = Drawable::new(version, self.scene.take());
         if let Some(live) = &scene.live {
             live.upload(&self.gpu, &scene.version.compiled.source.numbers);
         }
         self.scene = Some(scene);
-        self.restart(prompt);
+        self.restart(if has_pipeline { PROMPT_EDIT } else { PROMPT });
     }
 
     /// Begins a new picture, coarse where a fine one would keep the window waiting.
     fn restart(&mut self, prompt: Duration) {
-        let pixels = f64::from(self.look.size[0]) * f64::from(self.look.size[1]);
-        let predicted = self.nanos_per_pixel * pixels / prompt.as_nanos() as f64;
-        self.begin((predicted.sqrt().ceil() as u32).clamp(1, 8));
+        self.begin(self.pace.coarseness(self.look.size, prompt));
     }
 
     fn begin(&mut self, coarseness: u32) {
@@ -212,9 +210,7 @@ impl Painter {
             self.rows_done = 0;
         }
         let tracer = self.tracer.as_mut().expect("it was just made");
-        let row_nanos = self.nanos_per_pixel * f64::from(size[0]);
-        let rows = if self.is_probe { 2 } else { (SLICE.as_nanos() as f64 / row_nanos) as u32 };
-        let end = self.rows_done.saturating_add(rows.max(1)).min(size[1]);
+        let end = self.rows_done.saturating_add(self.pace.rows(size[0], SLICE)).min(size[1]);
         let compiled = &scene.version.compiled;
         let mut moment = Moment::of(&compiled.scene);
         moment.camera = self.look.camera.unwrap_or(moment.camera);
@@ -222,20 +218,15 @@ impl Painter {
         moment.mouse = self.look.mouse.map(|x| x / self.coarseness as f32);
         if self.rows_done == 0 {
             self.sample_started = Instant::now();
+            // All slices of a picture show one moment.
+            self.time = if scene.moves { self.look.clock.time() } else { 0.0 };
         }
-        // All slices of a picture show one moment.
-        let time = self.sample_started - self.started;
-        moment.time = if scene.moves { time.as_secs_f32() } else { 0.0 };
+        moment.time = self.time;
         let begun = Instant::now();
         let jitter = sample_offset(tracer.samples(), SAMPLES);
         tracer.draw(scene.pipeline(), &moment, &compiled.scene.render, jitter, self.rows_done..end);
         self.gpu.wait()?;
-        if !self.is_probe {
-            let pixels = f64::from(size[0]) * f64::from(end - self.rows_done);
-            let nanos = begun.elapsed().as_nanos() as f64 / pixels;
-            self.nanos_per_pixel = 0.5 * (self.nanos_per_pixel + nanos);
-        }
-        self.is_probe = false;
+        self.pace.learn(size[0] * (end - self.rows_done), begun.elapsed());
         self.rows_done = end;
         if end == size[1] {
             self.finish_sample()?;
@@ -254,12 +245,11 @@ impl Painter {
         if is_first || is_last || self.shown.elapsed() > Duration::from_millis(100) {
             self.show(samples, frame_time)?;
         }
-        let moves = self.scene.as_ref().is_some_and(|s| s.moves);
-        if moves {
+        if self.is_moving() {
             self.begin(self.coarseness);
             std::thread::sleep(Duration::from_millis(15).saturating_sub(frame_time));
         } else if self.coarseness > 1 {
-            self.begin(1);
+            self.begin((self.coarseness / 4).max(1));
         }
         Ok(())
     }
@@ -291,6 +281,7 @@ impl Painter {
             noticed: version.noticed,
             pipeline_time: version.pipeline_time,
             frame_time,
+            moves: scene.moves,
             compiled: version.compiled.clone(),
             warnings: version.warnings.clone(),
         }));

@@ -78,10 +78,11 @@ impl Screen {
         });
     }
 
-    /// Draws the picture, `width` pixels wide, and what egui has laid out; whether it is on the screen now.
+    /// Draws the picture at its corner, so many pixels wide, and what egui has laid out; whether the screen
+    /// shows it now.
     pub fn present(
         &mut self,
-        width: u32,
+        (corner, width): ([u32; 2], u32),
         context: &egui::Context,
         mut output: egui::FullOutput,
         window: &Window,
@@ -104,7 +105,12 @@ impl Screen {
             let load = match &self.picture {
                 Some(picture) => {
                     let zoom = width as f32 / picture.width() as f32;
-                    self.display.draw(picture, None, &view, Target { corner: [0.0; 2], zoom });
+                    self.display.draw(
+                        picture,
+                        None,
+                        &view,
+                        Target { corner: corner.map(|x| x as f32), zoom },
+                    );
                     wgpu::LoadOp::Load
                 }
                 None => wgpu::LoadOp::Clear(wgpu::Color::BLACK),

@@ -14,7 +14,7 @@ use super::builder::{self, Order};
 use super::events::Event;
 use super::messages::{Look, Notice, Picture, Wish};
 use super::painter;
-use super::panel::Panel;
+use super::panel::{self, Panel};
 use super::screen::Screen;
 use crate::diagnostic::{Diagnostic, Report, Severity};
 use crate::gpu::Gpu;
@@ -83,7 +83,7 @@ impl App<'_> {
         let builder = builder::start(gpu, move |built| drop(wishes.send(Wish::Built(built))));
         let _ = builder.send(Order::Open(self.options.scene.clone()));
         let context = egui::Context::default();
-        context.set_theme(egui::Theme::Dark);
+        panel::apply_style(&context);
         let side = screen.gpu.device.limits().max_texture_dimension_2d as usize;
         let input =
             egui_winit::State::new(context.clone(), egui::ViewportId::ROOT, &*window, None, None, Some(side));
@@ -153,6 +153,10 @@ impl ApplicationHandler<Notice> for App<'_> {
                     (app.on_event)(&Event::Unchanged);
                     open.panel.mend(&warnings);
                 }
+                Notice::File(text) => {
+                    let _ = open.builder.send(open.panel.file_says(&text));
+                }
+                Notice::Outline { outline, text } => open.panel.offer(outline, text),
                 Notice::Ready { pipelines } => return (app.on_event)(&Event::Ready { pipelines }),
                 Notice::Broken(report) => {
                     let errors = report.count(Severity::Error);
@@ -224,8 +228,8 @@ impl Open {
         let mut reply = None;
         let mut output = self.context.run_ui(input, |ui| reply = Some(self.panel.show(ui, has_picture)));
         if let Some(reply) = reply {
-            if let Some(scene) = reply.open {
-                let _ = self.builder.send(Order::Open(scene));
+            for order in reply.orders {
+                let _ = self.builder.send(order);
             }
             if self.look != Some(reply.look) {
                 self.look = Some(reply.look);
@@ -236,7 +240,7 @@ impl Open {
         let delay = delays.min().unwrap_or(Duration::MAX);
         self.wake = Instant::now().checked_add(delay).filter(|_| delay < Duration::from_secs(3600));
         self.input.handle_platform_output(&self.window, std::mem::take(&mut output.platform_output));
-        let width = self.look.map_or(1, |look| look.size[0]);
-        self.screen.present(width, &self.context, output, &self.window)
+        let place = self.look.map_or(([0; 2], 1), |look| (look.corner, look.size[0]));
+        self.screen.present(place, &self.context, output, &self.window)
     }
 }

@@ -51,6 +51,11 @@ impl History {
         &self.text
     }
 
+    /// What the file holds, as far as is known.
+    pub fn file_text(&self) -> &str {
+        &self.saved
+    }
+
     /// Makes an edit. Those that follow each other with the same `gesture`, such as a drag, are one step.
     /// False where all was so already.
     ///

@@ -114,6 +114,15 @@ impl Desk {
         }
     }
 
+    /// Waits until the screen shows something else than `before` at a point.
+    pub fn wait_for_change(&self, x: i16, y: i16, before: [u8; 3]) {
+        let until = Instant::now() + PATIENCE;
+        while self.color_at(x, y) == before {
+            assert!(Instant::now() < until, "waited in vain for a change of {before:?}");
+            std::thread::sleep(Duration::from_millis(10));
+        }
+    }
+
     /// Presses the first button at `from` and lets it go at `to`, at the speed of a hand.
     pub fn drag(&self, from: [i16; 2], to: [i16; 2]) {
         let fake = |kind: u8, detail: u8, at: [i16; 2]| {

@@ -1,0 +1,114 @@
+//! The scene's tree, and below it all values of what is chosen there.
+
+use std::path::Path;
+
+use egui::{RichText, Ui};
+
+use super::fields::Fields;
+use super::tree::Tree;
+use super::{Deeds, Panel};
+use crate::edit::Edit;
+use crate::library::Library;
+use crate::outline::{self, Node, Role};
+use crate::sources::Sources;
+
+impl Panel {
+    pub(super) fn inspector(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+        self.conflicts(ui, deeds);
+        let Some((outline, _)) = self.outline.take() else { return };
+        let scene = self.scene.clone();
+        let example = move |role: Role, name: &str| example(&scene, role, name);
+        let search =
+            egui::TextEdit::singleline(&mut self.wanted).hint_text("find").desired_width(f32::INFINITY);
+        ui.add(search);
+        let height = ui.available_height();
+        egui::ScrollArea::vertical()
+            .id_salt("tree")
+            .max_height(0.42 * height)
+            .auto_shrink([false, true])
+            .show(ui, |ui| {
+                let Deeds { edits, .. } = deeds;
+                let (selected, wanted) = (&mut self.selected, self.wanted.as_str());
+                Tree { edits, selected, wanted, example: &example }.show(ui, &outline);
+            });
+        ui.separator();
+        let chosen = self.selected.as_ref().and_then(|path| find(&outline.nodes, path));
+        egui::ScrollArea::vertical().id_salt("fields").auto_shrink([false, false]).show(
+            ui,
+            |ui| match chosen {
+                Some(node) => self.node(ui, node, deeds, &example),
+                None => {
+                    ui.label(RichText::new("Choose something in the tree to see its values.").weak());
+                }
+            },
+        );
+        let text = self.document.text().unwrap_or_default().into();
+        self.outline = Some((outline, text));
+    }
+
+    fn node(&mut self, ui: &mut Ui, node: &Node, deeds: &mut Deeds, example: &dyn Fn(Role, &str) -> String) {
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(&node.label).strong().size(14.0));
+            if !node.names.is_empty() {
+                self.rename(ui, node, deeds);
+            }
+        });
+        ui.label(RichText::new(&node.doc).weak().small());
+        ui.add_space(4.0);
+        let texture = |name: &str| example(Role::Texture, name);
+        let mut fields = Fields { edits: &mut deeds.edits, pending: &self.pending, example: &texture };
+        fields.show(ui, &node.fields);
+    }
+
+    /// What kind of thing it is, which can be another one.
+    fn rename(&self, ui: &mut Ui, node: &Node, deeds: &mut Deeds) {
+        let shown = node.name.as_deref().unwrap_or_default();
+        egui::ComboBox::from_id_salt("kind").selected_text(shown).show_ui(ui, |ui| {
+            for name in node.names.iter() {
+                if ui.selectable_label(name == shown, name).clicked() && name != shown {
+                    let keep = node.fields.iter().map(|field| field.label.clone()).collect();
+                    let (path, name) = (node.path.clone(), name.clone());
+                    deeds.edits.push(Edit::Rename { path, name, keep });
+                }
+            }
+        });
+    }
+
+    /// What was changed here and in the file, for the author to choose.
+    fn conflicts(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+        let mut choice = None;
+        for (i, conflict) in self.document.conflicts.iter().enumerate() {
+            egui::Frame::group(ui.style()).show(ui, |ui| {
+                ui.label(RichText::new("The file was changed at the same place").strong());
+                let theirs = conflict.theirs.as_deref().unwrap_or("nothing");
+                ui.label(format!("it says {theirs}"));
+                ui.horizontal(|ui| {
+                    if ui.button("Keep the file's").clicked() {
+                        choice = Some((i, false));
+                    }
+                    let mine = egui::Button::new("Take mine");
+                    if ui.add_enabled(conflict.again.is_some(), mine).clicked() {
+                        choice = Some((i, true));
+                    }
+                });
+            });
+        }
+        if let Some((i, with_mine)) = choice
+            && self.document.settle(i, with_mine)
+        {
+            deeds.orders.push(crate::app::builder::Order::Edited(self.document.overlay()));
+        }
+    }
+}
+
+fn find<'n>(nodes: &'n [Node], path: &crate::scene::Path) -> Option<&'n Node> {
+    nodes.iter().find_map(|node| if node.path == *path { Some(node) } else { find(&node.nodes, path) })
+}
+
+/// RON text of a `name` with no more than it must be given.
+fn example(scene: &Path, role: Role, name: &str) -> String {
+    let here = std::env::current_dir().unwrap_or_else(|_| Path::new(".").into());
+    let sources = Sources::on_disk(&here);
+    let library = Library::new(&sources, scene.parent().unwrap_or(Path::new("")));
+    outline::example(role, name, &library).unwrap_or_else(|| format!("{name}()"))
+}

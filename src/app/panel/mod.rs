@@ -1,0 +1,237 @@
+//! What the author sees and does: the picture, the scene as a tree with all its values, and what is wrong.
+//!
+//! In: pictures and outlines. Out: a [`Reply`] for each frame. It draws nothing itself and waits for nothing.
+
+mod bar;
+mod facts;
+mod fields;
+mod inspector;
+mod mistakes;
+mod pending;
+mod picture;
+mod shader;
+mod style;
+mod tree;
+mod widgets;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+use egui::Ui;
+
+pub use self::pending::Pending;
+pub use self::style::{ACCENT, apply as apply_style};
+use super::builder::Order;
+use super::document::Document;
+use super::editor;
+use super::messages::{Clock, Look, Picture};
+use crate::Compiled;
+use crate::diagnostic::{Diagnostic, Report};
+use crate::edit::Edit;
+use crate::gpu::View;
+use crate::ir::Camera;
+use crate::outline::Outline;
+use crate::scene;
+
+/// What is shown, and what the author has chosen.
+pub struct Panel {
+    scene: PathBuf,
+    scenes: Vec<PathBuf>,
+    adapter: String,
+    tab: Tab,
+    view: View,
+    /// Where the author has moved the camera to.
+    camera: Option<Camera>,
+    /// The scene's own.
+    home: Option<Camera>,
+    mouse: [f32; 2],
+    clock: Clock,
+    /// Whether the scene reads the clock.
+    moves: bool,
+    document: Document,
+    /// What the text offers to change, and the text.
+    outline: Option<(Box<Outline>, Arc<str>)>,
+    pending: Pending,
+    selected: Option<scene::Path>,
+    /// What the names in the tree are to have in them.
+    wanted: String,
+    compiled: Option<Arc<Compiled>>,
+    listing: shader::Listing,
+    facts: Vec<(&'static str, String)>,
+    /// Mistakes, or warnings of a scene that is shown.
+    report: Option<(Report, String)>,
+    /// What could not be done, to be told once.
+    notice: Option<String>,
+}
+
+/// What the side of the window shows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Tab {
+    Scene,
+    Shader,
+    Facts,
+}
+
+/// What the author has done.
+pub struct Reply {
+    pub look: Look,
+    pub orders: Vec<Order>,
+}
+
+/// What is gathered while one frame is laid out.
+#[derive(Default)]
+struct Deeds {
+    edits: Vec<Edit>,
+    orders: Vec<Order>,
+    undo: bool,
+    redo: bool,
+}
+
+impl Panel {
+    pub fn new(scene: &Path, adapter: String) -> Self {
+        Self {
+            scene: scene.to_owned(),
+            scenes: neighbours(scene),
+            adapter,
+            tab: Tab::Scene,
+            view: View::Color,
+            camera: None,
+            home: None,
+            mouse: [0.0; 2],
+            clock: Clock::Running { then: 0.0, at: Instant::now() },
+            moves: false,
+            document: Document::new(scene),
+            outline: None,
+            pending: Pending::default(),
+            selected: None,
+            wanted: String::new(),
+            compiled: None,
+            listing: shader::Listing::default(),
+            facts: vec![],
+            report: None,
+            notice: None,
+        }
+    }
+
+    /// A new picture is there. Its scene's camera wins over the author's where the file moved it.
+    pub fn take(&mut self, picture: &Picture, is_new_edit: bool) {
+        let camera = picture.compiled.scene.camera;
+        if self.home != Some(camera) {
+            self.home = Some(camera);
+            self.camera = None;
+        }
+        if is_new_edit {
+            self.mend(&picture.warnings);
+            self.listing.take(&picture.compiled);
+        }
+        self.moves = picture.moves;
+        self.compiled = Some(picture.compiled.clone());
+        self.facts = facts::of(picture);
+    }
+
+    /// The scene's file holds another text than before.
+    pub fn file_says(&mut self, text: &str) -> Order {
+        self.document.file_says(text);
+        Order::Edited(self.document.overlay())
+    }
+
+    /// What the scene's text offers to change.
+    pub fn offer(&mut self, outline: Box<Outline>, text: Arc<str>) {
+        if self.document.text() == Some(&text) {
+            self.pending.clear();
+            self.outline = Some((outline, text));
+        }
+    }
+
+    /// The scene is right, but for `warnings`.
+    pub fn mend(&mut self, warnings: &Report) {
+        self.report = (!warnings.diagnostics.is_empty()).then(|| (warnings.clone(), warnings.to_string()));
+    }
+
+    /// The scene is wrong: the picture stays, the mistakes come over it.
+    pub fn break_with(&mut self, report: Report) {
+        let text = report.to_string();
+        self.report = Some((report, text));
+    }
+
+    /// Lays everything out.
+    pub fn show(&mut self, ui: &mut Ui, has_picture: bool) -> Reply {
+        let mut deeds = Deeds::default();
+        self.keys(ui, &mut deeds);
+        egui::Panel::top("bar").show(ui, |ui| self.bar(ui, &mut deeds));
+        if self.moves {
+            egui::Panel::bottom("clock").show(ui, |ui| self.clock_bar(ui));
+        }
+        egui::Panel::right("panel").default_size(320.0).size_range(240.0..=640.0).show(ui, |ui| {
+            // What is too long is cut, and does not move the picture.
+            ui.set_max_width(ui.available_width());
+            ui.add_space(4.0);
+            ui.horizontal(|ui| {
+                for (tab, name) in [(Tab::Scene, "Scene"), (Tab::Shader, "Shader"), (Tab::Facts, "Cost")] {
+                    ui.selectable_value(&mut self.tab, tab, name);
+                }
+            });
+            ui.separator();
+            match self.tab {
+                Tab::Scene => self.inspector(ui, &mut deeds),
+                Tab::Shader => self.shader(ui),
+                Tab::Facts => facts::show(ui, &self.adapter, &self.facts),
+            }
+        });
+        let look = egui::CentralPanel::no_frame().show(ui, |ui| self.picture(ui, has_picture)).inner;
+        self.act(ui, &mut deeds);
+        Reply { look, orders: deeds.orders }
+    }
+
+    /// Turns what was done into the scene's next text, and this into the file's once the hand rests.
+    fn act(&mut self, ui: &Ui, deeds: &mut Deeds) {
+        let mut is_new = false;
+        for edit in deeds.edits.drain(..) {
+            self.pending.note(&edit);
+            is_new |= self.document.edit(edit);
+        }
+        if (deeds.undo && self.document.undo()) || (deeds.redo && self.document.redo()) {
+            self.pending.clear();
+            is_new = true;
+        }
+        let rests = !ui.input(|input| input.pointer.any_down());
+        if rests {
+            self.document.rest();
+        }
+        let saves = rests && !self.document.tries_only && !self.document.is_saved();
+        if saves {
+            self.document.save();
+        }
+        if is_new || (saves && self.document.is_saved()) {
+            deeds.orders.push(Order::Edited(self.document.overlay()));
+        }
+    }
+
+    /// Opens the author's editor at the place of `problem`.
+    fn open_place(&mut self, report: &Report, problem: &Diagnostic) {
+        if let Some((file, line)) = Self::line_of(report, problem) {
+            self.notice = editor::open(file.as_ref(), line).err();
+        }
+    }
+
+    /// The file in which `problem` is, and its line; None where that is no file's.
+    fn line_of(report: &Report, problem: &Diagnostic) -> Option<(String, usize)> {
+        let (place, _) = problem.labels.first()?;
+        let text = report.texts.get(&place.file)?;
+        let line = 1 + text.get(..place.span.start)?.matches('\n').count();
+        Path::new(&place.file).exists().then(|| (place.file.clone(), line))
+    }
+}
+
+/// The scenes in the folder of `scene`, sorted.
+fn neighbours(scene: &Path) -> Vec<PathBuf> {
+    let folder = scene.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut scenes: Vec<PathBuf> = entries
+        .map(|entry| scene.with_file_name(entry.file_name()))
+        .filter(|path| path.extension().is_some_and(|e| e == "ron"))
+        .collect();
+    scenes.sort();
+    scenes
+}

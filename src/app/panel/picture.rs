@@ -1,0 +1,62 @@
+//! The picture's place: the camera under the mouse, and what is said over the picture.
+
+use egui::{Color32, PointerButton, Sense, Ui};
+use glam::Vec2;
+
+use super::{Panel, mistakes};
+use crate::app::camera;
+use crate::app::messages::Look;
+
+impl Panel {
+    pub(super) fn picture(&mut self, ui: &mut Ui, has_picture: bool) -> Look {
+        let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+        if !has_picture && self.report.is_none() {
+            let font = egui::FontId::proportional(16.0);
+            ui.painter().text(area.center(), egui::Align2::CENTER_CENTER, "compiling…", font, Color32::GRAY);
+        }
+        self.move_camera(ui, &response, area);
+        let points = ui.ctx().pixels_per_point();
+        if let Some(pointer) = response.interact_pointer_pos() {
+            self.mouse = [(pointer.x - area.min.x) * points, (pointer.y - area.min.y) * points];
+        }
+        if let Some((report, text)) = self.report.take() {
+            if let Some(problem) = mistakes::show(ui, area, &report, &text) {
+                self.open_place(&report, &problem);
+            }
+            self.report = Some((report, text));
+        }
+        let pixels = |points_long: f32| (points_long * points).round() as u32;
+        Look {
+            corner: [pixels(area.min.x), pixels(area.min.y)],
+            size: [pixels(area.width()), pixels(area.height())],
+            camera: self.camera,
+            view: self.view,
+            mouse: self.mouse,
+            clock: self.clock,
+        }
+    }
+
+    fn move_camera(&mut self, ui: &Ui, response: &egui::Response, area: egui::Rect) {
+        let Some(home) = self.home else { return };
+        let mut moved = self.camera.unwrap_or(home);
+        let before = moved;
+        let drag = response.drag_delta() / area.height().max(1.0);
+        let by = Vec2::new(drag.x, drag.y);
+        let shift = ui.input(|input| input.modifiers.shift);
+        if response.dragged_by(PointerButton::Primary) && !shift {
+            camera::orbit(&mut moved, by);
+        } else if response.dragged() {
+            camera::pan(&mut moved, by);
+        }
+        if response.hovered() {
+            let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
+            let amount = scroll * 0.004 + pinch.ln();
+            if amount != 0.0 {
+                camera::zoom(&mut moved, amount);
+            }
+        }
+        if moved != before {
+            self.camera = Some(moved);
+        }
+    }
+}

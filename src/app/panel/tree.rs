@@ -1,0 +1,171 @@
+//! The scene as a tree: what there is, what is chosen, and what can be added or taken away.
+
+use std::sync::Arc;
+
+use egui::{Align, Color32, Layout, RichText, Sense, Ui, Vec2};
+
+use crate::edit::Edit;
+use crate::outline::{Node, NodeKind, Outline, Role};
+use crate::scene::Path;
+
+/// Lays out the nodes of an outline.
+pub struct Tree<'a> {
+    pub edits: &'a mut Vec<Edit>,
+    pub selected: &'a mut Option<Path>,
+    /// Only nodes with this in their name, if it is not empty.
+    pub wanted: &'a str,
+    /// RON text of something new with no more than it must be given.
+    pub example: &'a dyn Fn(Role, &str) -> String,
+}
+
+impl Tree<'_> {
+    pub fn show(&mut self, ui: &mut Ui, outline: &Outline) {
+        ui.spacing_mut().item_spacing.y = 1.0;
+        for node in &outline.nodes {
+            self.node(ui, node, outline, 0);
+        }
+    }
+
+    fn node(&mut self, ui: &mut Ui, node: &Node, outline: &Outline, depth: usize) {
+        if !self.is_wanted(node) {
+            return;
+        }
+        let holds = matches!(
+            node.kind,
+            NodeKind::Lights | NodeKind::Textures | NodeKind::Materials | NodeKind::Objects
+        );
+        let id = ui.make_persistent_id(node.path.to_string());
+        let is_open = ui.data_mut(|data| *data.get_persisted_mut_or(id, true));
+        let is_open = is_open || !self.wanted.is_empty();
+        self.line(ui, node, outline, depth, holds, is_open, id);
+        if is_open {
+            for inner in &node.nodes {
+                self.node(ui, inner, outline, depth + 1);
+            }
+        }
+    }
+
+    fn is_wanted(&self, node: &Node) -> bool {
+        let wanted = self.wanted.to_lowercase();
+        let names = [Some(&node.label), node.name.as_ref()];
+        let fits = names.into_iter().flatten().any(|name| name.to_lowercase().contains(&wanted));
+        fits || node.nodes.iter().any(|inner| self.is_wanted(inner))
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "all of a line's facts, used once")]
+    fn line(
+        &mut self,
+        ui: &mut Ui,
+        node: &Node,
+        outline: &Outline,
+        depth: usize,
+        holds: bool,
+        is_open: bool,
+        id: egui::Id,
+    ) {
+        let size = Vec2::new(ui.available_width(), 20.0);
+        let (area, response) = ui.allocate_exact_size(size, Sense::click());
+        let is_selected = self.selected.as_ref() == Some(&node.path);
+        let visuals = ui.visuals();
+        if is_selected || response.hovered() {
+            let fill = if is_selected { visuals.selection.bg_fill } else { visuals.faint_bg_color };
+            ui.painter().rect_filled(area, 4.0, fill);
+        }
+        let mut ui = ui.new_child(
+            egui::UiBuilder::new()
+                .max_rect(area.shrink2(Vec2::new(4.0, 0.0)))
+                .layout(Layout::left_to_right(Align::Center)),
+        );
+        ui.add_space(12.0 * depth as f32);
+        if node.nodes.is_empty() {
+            ui.add_space(14.0);
+        } else {
+            let (area, response) = ui.allocate_exact_size(Vec2::splat(14.0), Sense::click());
+            let openness = if is_open { 1.0 } else { 0.0 };
+            egui::collapsing_header::paint_default_icon(
+                &mut ui,
+                openness,
+                &response.clone().with_new_rect(area.shrink(3.0)),
+            );
+            if response.clicked() {
+                ui.data_mut(|data| data.insert_persisted(id, !is_open));
+            }
+        }
+        dot(&mut ui, color(node.kind));
+        let label = RichText::new(&node.label);
+        let label = if node.span.is_some() { label } else { label.weak() };
+        ui.add(egui::Label::new(label).truncate().selectable(false));
+        if let Some(name) = node.name.as_ref().filter(|name| !node.label.starts_with(name.as_str())) {
+            ui.add(egui::Label::new(RichText::new(name).weak().small()).truncate().selectable(false));
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if holds {
+                self.add_menu(ui, node, outline);
+            }
+        });
+        let response = response.on_hover_text(&node.doc);
+        if response.clicked() {
+            *self.selected = Some(node.path.clone());
+        }
+        let is_item = matches!(node.kind, NodeKind::Light | NodeKind::Object | NodeKind::Combination)
+            || matches!(node.kind, NodeKind::Texture | NodeKind::Material);
+        if is_item {
+            response.context_menu(|ui| self.item_menu(ui, node));
+        }
+    }
+
+    fn item_menu(&mut self, ui: &mut Ui, node: &Node) {
+        if ui.button("Duplicate").clicked() {
+            self.edits.push(Edit::Duplicate { path: node.path.clone() });
+            ui.close();
+        }
+        if ui.button("Remove").clicked() {
+            self.edits.push(Edit::Remove { path: node.path.clone() });
+            ui.close();
+        }
+    }
+
+    /// A menu of what the list `node` could have one more of.
+    fn add_menu(&mut self, ui: &mut Ui, node: &Node, outline: &Outline) {
+        let names = &outline.names;
+        let (role, kinds): (Role, &Arc<[String]>) = match node.kind {
+            NodeKind::Lights => (Role::Light, &names.lights),
+            NodeKind::Objects => (Role::Solid, &names.solids),
+            // Entries of a map need a name of their own, which the author writes.
+            _ => return,
+        };
+        ui.menu_button("+", |ui| {
+            egui::ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
+                for name in kinds.iter() {
+                    if ui.button(name).clicked() {
+                        let item = (self.example)(role, name);
+                        let (list, index) = (node.path.clone(), node.nodes.len());
+                        *self.selected = Some(list.item(index));
+                        self.edits.push(Edit::Insert { list, index, item });
+                        ui.close();
+                    }
+                }
+            });
+        })
+        .response
+        .on_hover_text("one more");
+    }
+}
+
+fn dot(ui: &mut Ui, color: Color32) {
+    let (area, _) = ui.allocate_exact_size(Vec2::splat(10.0), Sense::hover());
+    ui.painter().circle_filled(area.center(), 3.5, color);
+}
+
+fn color(kind: NodeKind) -> Color32 {
+    match kind {
+        NodeKind::Camera => Color32::from_rgb(120, 170, 255),
+        NodeKind::Background | NodeKind::Ambient => Color32::from_rgb(110, 190, 220),
+        NodeKind::Lights | NodeKind::Light => Color32::from_rgb(250, 205, 90),
+        NodeKind::Textures | NodeKind::Texture => Color32::from_rgb(200, 130, 230),
+        NodeKind::Materials | NodeKind::Material => Color32::from_rgb(240, 130, 100),
+        NodeKind::Objects | NodeKind::Object => Color32::from_rgb(120, 210, 140),
+        NodeKind::Combination => Color32::from_rgb(90, 180, 170),
+        NodeKind::Render => Color32::from_gray(150),
+    }
+}
