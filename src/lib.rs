@@ -23,11 +23,14 @@ pub mod diagnostic;
 pub mod edit;
 pub mod gpu;
 pub mod ir;
+pub mod judge;
+pub mod laws;
 pub mod library;
 pub mod module;
 pub mod outline;
 pub mod scene;
 pub mod sources;
+pub mod suite;
 pub mod watch;
 pub mod wgsl;
 

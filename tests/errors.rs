@@ -2,12 +2,12 @@
 
 mod common;
 
-use common::{check_text, expect_none, files, outcome, outcome_of};
+use common::{check_text, expect_none, files, outcome, outcome_of, scenes};
 use raytoy::wgsl::Mode;
 
 #[test]
 fn each_mistake_is_told_as_its_golden_says() {
-    expect_none(files("tests/cases/errors", "ron").iter().filter_map(|scene| {
+    expect_none(scenes("tests/cases/errors").iter().filter_map(|scene| {
         let outcome = outcome(scene, Mode::Baked);
         let golden = scene.replace(".ron", ".txt");
         check_text(&golden, &outcome.report.to_string()).err()
@@ -16,7 +16,7 @@ fn each_mistake_is_told_as_its_golden_says() {
 
 #[test]
 fn each_golden_has_a_scene() {
-    let scenes = files("tests/cases/errors", "ron");
+    let scenes = scenes("tests/cases/errors");
     let texts = files("tests/cases/errors", "txt");
     let orphans = texts.iter().filter(|text| !scenes.contains(&text.replace(".txt", ".ron")));
     expect_none(orphans.map(|text| format!("{text} belongs to no scene: remove it")));
@@ -24,7 +24,7 @@ fn each_golden_has_a_scene() {
 
 #[test]
 fn each_mistake_has_a_place_and_warnings_stop_nothing() {
-    for scene in files("tests/cases/errors", "ron") {
+    for scene in scenes("tests/cases/errors") {
         let outcome = outcome(&scene, Mode::Baked);
         assert!(!outcome.report.diagnostics.is_empty(), "{scene}: nothing is said of it");
         assert_ne!(outcome.compiled.is_some(), outcome.report.has_errors(), "{scene}");
@@ -40,7 +40,7 @@ fn each_mistake_has_a_place_and_warnings_stop_nothing() {
 
 #[test]
 fn messages_keep_their_style() {
-    for scene in files("tests/cases/errors", "ron") {
+    for scene in scenes("tests/cases/errors") {
         for problem in outcome(&scene, Mode::Baked).report.diagnostics {
             let message = &problem.message;
             let starts_low = !message.starts_with(|c: char| c.is_ascii_uppercase());

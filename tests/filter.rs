@@ -6,8 +6,9 @@ mod patterns;
 
 use common::expect_none;
 use glam::{Vec2, Vec3};
-use patterns::{Panel, Random, World, by_devices, on_floor};
+use patterns::{built_in, by_devices, values};
 use raytoy::gpu::Gpu;
+use raytoy::laws::{Panel, Random, World, on_floor};
 use raytoy::wgsl::Mode;
 
 /// A call in black and white, how many scene units a cell of it has, and the most that the filter may be off,
@@ -43,7 +44,7 @@ const SAMPLES: u32 = 1024;
 
 #[test]
 fn filters_give_the_mean_over_the_footprint() {
-    let world = World::default();
+    let world = built_in();
     let check = |gpu: &Gpu, (call, cell, most): &(&str, f32, f64)| check(gpu, &world, call, *cell, *most);
     let Some(found) = by_devices(&PATTERNS, check) else { return };
     expect_none(found.into_iter().flatten());
@@ -53,14 +54,15 @@ fn filters_give_the_mean_over_the_footprint() {
 fn a_pattern_without_a_filter_is_found() {
     let Some(gpu) = common::gpu() else { return };
     let text = "/// Hard.\nfn hard(at: Surface) -> f32 {\n    return step(0.5, fract(at.uv.x));\n}\n";
-    let world = World { files: vec![("textures/hard.wgsl".into(), text.into())], only: true };
+    let world = World { files: vec![("textures/hard.wgsl".into(), text.into())], ..World::default() };
     let found = check(gpu, &world, "Hard()", 1.0, 0.03);
     assert_eq!(found.len(), 3, "{found:?}");
 }
 
 fn check(gpu: &Gpu, world: &World, call: &str, cell: f32, most: f64) -> Vec<String> {
     let panel = Panel::new(gpu, world, &[call.to_owned()], Mode::Baked);
-    let value = |points: &[_]| panel.values(points).remove(0);
+    let panel = panel.unwrap_or_else(|problem| panic!("{call}: {problem}"));
+    let value = |points: &[_]| values(&panel, points);
     let mut errors = vec![];
     for width in WIDTHS {
         let mut random = Random(3);

@@ -7,7 +7,7 @@ use raytoy::library::{Family, Library};
 use raytoy::sources::Sources;
 
 /// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
-const IMPORTS: [(&str, &[&str]); 15] = [
+const IMPORTS: [(&str, &[&str]); 18] = [
     ("diagnostic", &[]),
     ("sources", &["diagnostic"]),
     ("scene", &["diagnostic"]),
@@ -20,6 +20,12 @@ const IMPORTS: [(&str, &[&str]); 15] = [
     ("module", &["wgsl", "diagnostic"]),
     ("gpu", &["ir", "wgsl", "library", "Compiled", "on_deep_stack"]),
     ("watch", &["sources"]),
+    ("judge", &[]),
+    ("laws", &["diagnostic", "gpu", "library", "sources", "wgsl", "Compiled", "compile"]),
+    (
+        "suite",
+        &["diagnostic", "gpu", "judge", "laws", "library", "scene", "sources", "wgsl", "Compiled", "compile"],
+    ),
     (
         "app",
         &[
@@ -42,7 +48,19 @@ const IMPORTS: [(&str, &[&str]); 15] = [
     ),
     (
         "cli",
-        &["app", "diagnostic", "gpu", "ir", "library", "sources", "wgsl", "Compiled", "Outcome", "compile"],
+        &[
+            "app",
+            "diagnostic",
+            "gpu",
+            "ir",
+            "library",
+            "sources",
+            "suite",
+            "wgsl",
+            "Compiled",
+            "Outcome",
+            "compile",
+        ],
     ),
     ("lib", &["diagnostic", "ir", "library", "module", "scene", "sources", "wgsl"]),
 ];
@@ -54,7 +72,7 @@ const RESERVED: [(&str, &[&str]); 8] = [
     ("egui::", &["app"]),
     ("notify::", &["watch"]),
     ("clap::", &["cli"]),
-    ("std::fs", &["sources", "app", "cli", "watch", "build"]),
+    ("std::fs", &["sources", "suite", "app", "cli", "watch", "build"]),
     ("println!", &["cli", "build"]),
     // One line in gpu: an error that slips through all scopes has nowhere else to go.
     ("eprintln!", &["cli", "gpu/device"]),

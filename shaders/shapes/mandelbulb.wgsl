@@ -4,6 +4,8 @@
 /// size = 1, 0.00001 to 100000: about its radius
 /// power = 8, 2 to 16: how many buds go around
 /// iterations = 5, 1 to 16: how fine the buds get
+///
+/// has a rough surface
 fn mandelbulbDistance(p: vec3f, center: vec3f, size: f32, power: f32, iterations: u32) -> f32 {
     // White and Nylander's power of a point; the distance is Hubbard and Douady's potential over its slope.
     let unit = 0.8 * size;

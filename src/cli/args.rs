@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::gpu::{AdapterChoice, View};
 
@@ -18,6 +18,7 @@ Examples:
   raytoy view scenes/table.ron                 open a scene; edit it in any editor and see each save
   raytoy render scenes/glass.ron -o glass.png  draw a scene to a file
   raytoy check scenes/                         tell all mistakes in all scenes
+  raytoy test                                  compare all scenes with their goldens
   raytoy textures Brick                        what Brick takes"
 )]
 pub struct Arguments {
@@ -37,6 +38,8 @@ pub enum Command {
         #[arg(required = true, value_name = "PATH")]
         paths: Vec<PathBuf>,
     },
+    /// Compare scenes with their goldens, and hold textures and shapes to their laws
+    Test(TestOptions),
     /// Print the shader of a scene, the scene's own functions first
     Generate {
         /// A scene, or - for standard input
@@ -114,6 +117,56 @@ pub struct RenderOptions {
     /// fastest, software, or a part of its name
     #[arg(long, default_value = "fastest", value_parser = adapter)]
     pub adapter: AdapterChoice,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+A scene x.ron is compared with its generated text, x.wgsl, and a small picture, x.png, beside it.
+Textures and shapes need no goldens. A file x.test.ron sets size, samples and limits of a test.
+
+Examples:
+  raytoy test                           all scenes, textures and shapes below this folder
+  raytoy test scenes/table.ron --bless  write the goldens of a scene; look at them
+  raytoy test scenes --bless glass      write what changed of those with glass in their names
+  raytoy test --report report.html      a page with the pictures and diffs of all failures
+  raytoy test --format junit > out.xml  for continuous integration")]
+pub struct TestOptions {
+    /// Scenes, .wgsl files, or folders of them
+    #[arg(default_value = ".", value_name = "PATH")]
+    pub paths: Vec<PathBuf>,
+    /// Write the goldens that are missing or differ, of all tests or of those with TEXT in their names
+    #[arg(long, value_name = "TEXT", num_args = 0..=1, default_missing_value = "")]
+    pub bless: Option<String>,
+    /// Only tests with this in their names
+    #[arg(long, value_name = "TEXT")]
+    pub filter: Option<String>,
+    /// Print the names of the tests, and run none
+    #[arg(long)]
+    pub list: bool,
+    /// A folder for the goldens, in which the scenes' folders are mirrored
+    #[arg(long, value_name = "FOLDER")]
+    pub goldens: Option<PathBuf>,
+    /// Write a page with the pictures and diffs of all failures
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
+    /// What goes to standard output
+    #[arg(long, value_enum, default_value = "human")]
+    pub format: TestFormat,
+    /// Tests at a time; as many as there are processors unless told
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub jobs: Option<u32>,
+    /// software (the default where there is such a driver), fastest, or a part of its name, whose pictures
+    /// may lie in x.NAME.png
+    #[arg(long, value_name = "NAME", value_parser = adapter)]
+    pub adapter: Option<AdapterChoice>,
+}
+
+/// How the outcome of tests is told.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum TestFormat {
+    Human,
+    Json,
+    Junit,
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {

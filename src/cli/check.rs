@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Failure, Result, knot, print_report, sample, sources_for};
+use super::{Failure, Result, print_report, sources_for};
 use crate::diagnostic::Report;
-use crate::library::{Family, Library, name_of};
+use crate::library::{Family, Library, knot, name_of, sample};
 use crate::sources::Sources;
+use crate::suite::is_settings;
 use crate::wgsl::Mode;
 use crate::{Outcome, compile};
 
@@ -14,6 +15,9 @@ pub fn run(paths: &[PathBuf]) -> Result {
     for path in paths {
         if path.is_dir() {
             collect(path, &mut files)?;
+        } else if is_settings(path) {
+            // `raytoy test` reads them.
+            continue;
         } else if path == Path::new("-") || path.exists() {
             files.push(path.clone());
         } else {
@@ -51,7 +55,7 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> Result {
         let hidden = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
         if path.is_dir() && !hidden {
             collect(&path, files)?;
-        } else if path.extension().is_some_and(|e| e == "ron") || is_snippet(&path) {
+        } else if path.extension().is_some_and(|e| e == "ron") && !is_settings(&path) || is_snippet(&path) {
             files.push(path);
         }
     }

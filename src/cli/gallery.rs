@@ -6,10 +6,10 @@ use std::path::Path;
 use image::ImageFormat;
 
 use super::render::{encoded, with_progress};
-use super::{Failure, Result, knot, print_report, sample, write_output};
+use super::{Failure, Result, print_report, write_output};
 use crate::compile;
 use crate::gpu::{self, AdapterChoice, Gpu, Moment};
-use crate::library::{Family, Function, Kind, Library, Parameter};
+use crate::library::{Family, Function, Kind, Library, Parameter, knot, sample};
 use crate::sources::Sources;
 use crate::wgsl::Mode;
 

@@ -6,11 +6,10 @@ mod args;
 mod check;
 mod gallery;
 mod generate;
-mod knot;
 mod list;
 mod render;
-mod sample;
 mod stats;
+mod test;
 mod view;
 
 use std::io::{IsTerminal, Read, Write};
@@ -48,6 +47,7 @@ pub fn run() -> ExitCode {
         Command::View(options) => view::run(&options),
         Command::Render(options) => render::run(&options),
         Command::Check { paths } => check::run(&paths),
+        Command::Test(options) => test::run(&options),
         Command::Generate { scene, live, output } => generate::run(&scene, live, output.as_deref()),
         Command::Textures { name } => list::run(Family::Texture, name.as_deref()),
         Command::Shapes { name } => list::run(Family::Shape, name.as_deref()),

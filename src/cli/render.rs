@@ -12,15 +12,22 @@ use super::stats::Stats;
 use super::{Failure, Result, compiled, write_output};
 use crate::Compiled;
 use crate::gpu::{self, Gpu, Moment, Picture, View};
+use crate::suite::is_settings;
 use crate::wgsl::Mode;
 
 pub fn run(options: &RenderOptions) -> Result {
-    let outputs = outputs(options)?;
+    // A shell that is given `scenes/*.ron` finds the settings of their tests, too.
+    let scenes: Vec<PathBuf> = options.scenes.iter().filter(|path| !is_settings(path)).cloned().collect();
+    if scenes.is_empty() {
+        let path = options.scenes[0].display();
+        return Err(Failure::Call(format!("`{path}` holds the settings of a test; name the scene")));
+    }
+    let outputs = outputs(&scenes, &options.output)?;
     let gpu = Gpu::headless(&options.adapter)?;
     let mode = if options.live { Mode::Live } else { Mode::Baked };
     let mut wrong = false;
     let mut all = vec![];
-    for (scene, output) in options.scenes.iter().zip(&outputs) {
+    for (scene, output) in scenes.iter().zip(&outputs) {
         match compiled(scene, mode) {
             Ok(compiled) => all.push(draw(options, &gpu, &compiled, output)?),
             Err(Failure::Scene) => wrong = true,
@@ -34,12 +41,11 @@ pub fn run(options: &RenderOptions) -> Result {
 }
 
 /// Where the picture of each scene goes.
-fn outputs(options: &RenderOptions) -> Result<Vec<PathBuf>> {
-    let output = &options.output;
+fn outputs(scenes: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>> {
     let extension = output.extension().and_then(|e| e.to_str()).map(str::to_lowercase);
     let is_file = output == Path::new("-") || matches!(extension.as_deref(), Some("png" | "exr"));
-    if is_file && options.scenes.len() == 1 {
-        return Ok(vec![output.clone()]);
+    if is_file && scenes.len() == 1 {
+        return Ok(vec![output.to_path_buf()]);
     }
     if is_file {
         return Err(Failure::Call("several scenes need a folder: `-o gallery/`".into()));
@@ -53,7 +59,7 @@ fn outputs(options: &RenderOptions) -> Result<Vec<PathBuf>> {
     std::fs::create_dir_all(output)?;
     let file =
         |scene: &PathBuf| output.join(scene.file_stem().unwrap_or("picture".as_ref())).with_extension("png");
-    Ok(options.scenes.iter().map(file).collect())
+    Ok(scenes.iter().map(file).collect())
 }
 
 fn draw(options: &RenderOptions, gpu: &Gpu, compiled: &Compiled, output: &Path) -> Result<Stats> {

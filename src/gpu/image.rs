@@ -45,7 +45,27 @@ pub fn render(
 ) -> Result<Picture, GpuError> {
     let start = Instant::now();
     let pipeline = Pipeline::build(gpu, compiled)?;
-    let mut times = PictureTimes { pipeline: start.elapsed(), ..Default::default() };
+    let built = start.elapsed();
+    let mut picture = draw(gpu, &pipeline, compiled, moment, size, samples, progress)?;
+    picture.times.pipeline = built;
+    Ok(picture)
+}
+
+/// The same as [`render`] with a pipeline that is there already: that of `compiled`, or of a scene with the
+/// same text and other numbers.
+///
+/// # Errors
+/// Where the driver refuses the size, or stops to answer.
+pub fn draw(
+    gpu: &Gpu,
+    pipeline: &Pipeline,
+    compiled: &Compiled,
+    moment: &Moment,
+    size: [u32; 2],
+    samples: u32,
+    progress: &mut dyn FnMut(f32),
+) -> Result<Picture, GpuError> {
+    let mut times = PictureTimes::default();
     let mut tracer = Tracer::new(gpu, size)?;
     let render = &compiled.scene.render;
     // The first slice is small: on a software driver it also compiles.
@@ -57,7 +77,7 @@ pub fn render(
         while row < size[1] {
             let slice = Instant::now();
             let end = (row + rows_at_once).min(size[1]);
-            tracer.draw(&pipeline, moment, render, sample_offset(sample, samples), row..end);
+            tracer.draw(pipeline, moment, render, sample_offset(sample, samples), row..end);
             gpu.wait()?;
             if sample > 0 || row > 0 {
                 rows_at_once = next_slice(end - row, slice.elapsed());

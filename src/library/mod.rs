@@ -7,7 +7,9 @@ mod doc_line;
 mod function;
 mod header;
 mod image;
+pub mod knot;
 mod model;
+pub mod sample;
 mod shape;
 mod value;
 

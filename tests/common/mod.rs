@@ -50,8 +50,13 @@ pub fn files(folder: &str, extension: &str) -> Vec<String> {
 
 /// The scenes that must compile: the gallery's, and the cases but for those that show errors.
 pub fn good_scenes() -> Vec<String> {
-    let cases = files("tests/cases", "ron").into_iter().filter(|f| !f.starts_with("tests/cases/errors/"));
-    files("scenes", "ron").into_iter().chain(cases).collect()
+    let cases = scenes("tests/cases").into_iter().filter(|f| !f.starts_with("tests/cases/errors/"));
+    scenes("scenes").into_iter().chain(cases).collect()
+}
+
+/// The scenes below `folder`: what ends in .ron, but for settings of tests.
+pub fn scenes(folder: &str) -> Vec<String> {
+    files(folder, "ron").into_iter().filter(|f| !f.ends_with(".test.ron")).collect()
 }
 
 /// What comes of the file called `name`.

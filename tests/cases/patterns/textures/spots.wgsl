@@ -8,6 +8,7 @@
 /// tint = (1, 1, 1, 1): factor of the dots' color, and their opacity
 /// dot = "tomato": color of the spots
 /// ground = "#f2efe6": color around them
+/// gives 0 to 4
 fn spots(
     at: Surface, size: f32, grid: vec2f, shape: u32, shift: i32, inverted: bool, tint: vec4f, dot_: vec3f, ground: vec3f,
 ) -> vec3f {

@@ -1,7 +1,6 @@
 //! What to write in a scene to see a texture or a shape, if nothing else is known of it.
 
-use super::knot;
-use crate::library::{Function, Kind, Parameter, Type};
+use super::{Function, Kind, Parameter, Type, knot};
 
 /// `Name(…)` with what the author must give.
 pub fn call(function: &Function) -> String {
@@ -36,7 +35,7 @@ pub fn shape(function: &Function) -> String {
 }
 
 /// A value in RON that `parameter` takes: the points of the first three make a triangle.
-fn stand_in(parameter: &Parameter, index: usize) -> String {
+pub fn stand_in(parameter: &Parameter, index: usize) -> String {
     let points = [[-1.0, -0.6, 0.0, 1.0], [1.0, -0.6, 0.1, 1.0], [0.2, 0.9, -0.3, 1.0]];
     let (low, high) = parameter.range.unwrap_or((f32::MIN, f32::MAX));
     match parameter.ty {

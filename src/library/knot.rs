@@ -30,7 +30,7 @@ pub fn obj() -> String {
     }
     let corner = |i: u32, j: u32| (i % ALONG) * AROUND + j % AROUND + 1;
     for (i, j) in (0..ALONG).flat_map(|i| (0..AROUND).map(move |j| (i, j))) {
-        let corners = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+        let corners = [corner(i, j), corner(i, j + 1), corner(i + 1, j + 1), corner(i + 1, j)];
         line(&mut text, "f", corners.map(|n| n.to_string()));
     }
     text

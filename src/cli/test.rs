@@ -1,0 +1,98 @@
+//! `raytoy test`: an author's scenes beside their goldens, textures and shapes before their laws.
+
+use super::args::{TestFormat, TestOptions};
+use super::render::with_progress;
+use super::{Failure, Result, print_result, write_output};
+use crate::gpu::{AdapterChoice, Gpu, GpuError};
+use crate::sources::Sources;
+use crate::suite::{self, Bench, Case, Goldens, Run};
+
+pub fn run(options: &TestOptions) -> Result {
+    let root = std::env::current_dir()?;
+    let cases = chosen(options, &Sources::on_disk(&root))?;
+    if options.list {
+        return print_result(&cases.iter().map(|case| format!("{}\n", case.name)).collect::<String>());
+    }
+    let named = match &options.adapter {
+        Some(AdapterChoice::Named(name)) => Some(name.clone()),
+        _ => None,
+    };
+    let goldens = Goldens { folder: options.goldens.clone(), adapter: named };
+    let bench = Bench { root, goldens, bless: options.bless.is_some() };
+    let devices = devices(options, cases.len())?;
+    let count = cases.len() as f32;
+    let outcomes = with_progress("testing", |progress| {
+        suite::run(&bench, &devices, &cases, &mut |done| progress(done as f32 / count))
+    });
+    let run = Run { outcomes, adapter: devices[0].describe(), call: call(options) };
+    if let Some(path) = &options.report {
+        write_output(path, suite::html(&run).as_bytes())?;
+        eprintln!("The report is {}.", path.display());
+    }
+    print_result(&match options.format {
+        TestFormat::Human => suite::human(&run),
+        TestFormat::Json => suite::json(&run),
+        TestFormat::Junit => suite::junit(&run),
+    })?;
+    if run.failed() > 0 { Err(Failure::Scene) } else { Ok(()) }
+}
+
+/// The cases under the paths whose names have what `--filter` and `--bless` ask for.
+fn chosen(options: &TestOptions, sources: &Sources) -> Result<Vec<Case>> {
+    let mut cases = suite::find(sources, &options.paths).map_err(Failure::Call)?;
+    if cases.is_empty() {
+        return Err(Failure::Call("there is nothing to test: no scene, no texture, no shape".into()));
+    }
+    for filter in [&options.filter, &options.bless].into_iter().flatten() {
+        cases.retain(|case| case.name.contains(filter.as_str()));
+        if cases.is_empty() {
+            let advice = "`raytoy test --list` has their names";
+            return Err(Failure::Call(format!("no test has `{filter}` in its name; {advice}")));
+        }
+    }
+    Ok(cases)
+}
+
+/// More devices than this only keep each other from the processors.
+const MOST_JOBS: usize = 8;
+
+/// A device for each thread. Unless told otherwise the software driver draws, if there is one: its pictures
+/// are the same on every machine.
+fn devices(options: &TestOptions, cases: usize) -> Result<Vec<Gpu>> {
+    let first = match &options.adapter {
+        Some(choice) => Gpu::headless(choice)?,
+        None => match Gpu::headless(&AdapterChoice::Software) {
+            Err(GpuError::NoAdapter(_)) => {
+                let gpu = Gpu::headless(&AdapterChoice::Fastest)?;
+                eprintln!(
+                    "There is no software driver, so {} draws: another machine may draw otherwise.",
+                    gpu.describe()
+                );
+                gpu
+            }
+            software => software?,
+        },
+    };
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let jobs = options.jobs.map_or(threads.min(MOST_JOBS), |jobs| jobs as usize).min(cases);
+    let choice = options.adapter.clone().unwrap_or(match first.is_software() {
+        true => AdapterChoice::Software,
+        false => AdapterChoice::Fastest,
+    });
+    let mut devices = vec![first];
+    while devices.len() < jobs {
+        devices.push(Gpu::headless(&choice)?);
+    }
+    Ok(devices)
+}
+
+/// What a call needs besides a test's name to do what this one does.
+fn call(options: &TestOptions) -> String {
+    let goldens = options.goldens.iter().map(|folder| format!(" --goldens {}", folder.display()));
+    let adapter = options.adapter.iter().map(|choice| match choice {
+        AdapterChoice::Fastest => " --adapter fastest".to_owned(),
+        AdapterChoice::Software => " --adapter software".to_owned(),
+        AdapterChoice::Named(name) => format!(" --adapter '{name}'"),
+    });
+    goldens.chain(adapter).collect()
+}

@@ -1,0 +1,104 @@
+//! Which files are tested: scenes, and the files of textures and shapes.
+
+use std::path::{Path, PathBuf};
+
+use super::settings::{OF_FOLDER, is_settings};
+use crate::library::Family;
+use crate::sources::Sources;
+
+/// One file that is tested.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Case {
+    /// As messages call it: from the folder that raytoy runs in.
+    pub name: String,
+    pub path: PathBuf,
+    pub kind: CaseKind,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CaseKind {
+    /// Compared with goldens.
+    Scene,
+    /// Held to laws.
+    Snippet(Family),
+}
+
+/// All cases at or below `paths`, sorted by name; hidden folders and `target` are left out.
+///
+/// # Errors
+/// Which path is not there, or no case.
+pub fn find(sources: &Sources, paths: &[PathBuf]) -> Result<Vec<Case>, String> {
+    let mut found = vec![];
+    for path in paths {
+        if path.is_dir() {
+            collect(path, &mut found)?;
+        } else if !path.exists() {
+            return Err(format!("there is no file or folder `{}`", path.display()));
+        } else if let Some(kind) = kind_of(path) {
+            found.push((path.clone(), kind));
+        } else {
+            return Err(format!("`{}` is no test: {}", path.display(), why_not(path)));
+        }
+    }
+    let case = |(path, kind): (PathBuf, CaseKind)| {
+        // Messages show the path as one would type it.
+        let path = path.strip_prefix(".").map_or(path.clone(), Path::to_path_buf);
+        Case { name: sources.name(&path), path, kind }
+    };
+    let mut cases: Vec<Case> = found.into_iter().map(case).collect();
+    cases.sort_by(|a, b| a.name.cmp(&b.name));
+    cases.dedup_by(|a, b| a.name == b.name);
+    Ok(cases)
+}
+
+fn collect(folder: &Path, found: &mut Vec<(PathBuf, CaseKind)>) -> Result<(), String> {
+    let unreadable = |error| format!("cannot read `{}`: {error}", folder.display());
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        let entry = entry.map_err(unreadable)?;
+        let path = entry.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        // A link to a folder may lead back to where it is.
+        if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+            if !name.starts_with('.') && name != "target" {
+                collect(&path, found)?;
+            }
+        } else if let Some(kind) = kind_of(&path) {
+            found.push((path, kind));
+        } else if is_settings(&path) && name != OF_FOLDER {
+            refuse_stray(&path)?;
+        }
+    }
+    Ok(())
+}
+
+/// # Errors
+/// Where settings are those of no file: a scene that was renamed would lose them in silence.
+fn refuse_stray(path: &Path) -> Result<(), String> {
+    let name = path.to_string_lossy();
+    let stem = name.strip_suffix(".test.ron").unwrap_or(&name);
+    if ["ron", "wgsl"].iter().any(|extension| Path::new(&format!("{stem}.{extension}")).exists()) {
+        return Ok(());
+    }
+    let [name, stem] = [&name, stem].map(|path| path.trim_start_matches("./"));
+    Err(format!("`{name}` has the settings of a test, but there is no `{stem}.ron`"))
+}
+
+fn kind_of(path: &Path) -> Option<CaseKind> {
+    let folder = path.parent().and_then(Path::file_name).unwrap_or_default();
+    match path.extension()?.to_str()? {
+        "ron" if !is_settings(path) => Some(CaseKind::Scene),
+        "wgsl" if folder == "textures" => Some(CaseKind::Snippet(Family::Texture)),
+        "wgsl" if folder == "shapes" => Some(CaseKind::Snippet(Family::Shape)),
+        _ => None,
+    }
+}
+
+fn why_not(path: &Path) -> &'static str {
+    if is_settings(path) {
+        return "it holds the settings of one; name the scene";
+    }
+    match path.extension().and_then(|extension| extension.to_str()) {
+        Some("wgsl") => "a texture lies in a folder `textures`, a shape in `shapes`",
+        _ => "a scene ends in .ron, a texture or shape in .wgsl",
+    }
+}

@@ -1,0 +1,34 @@
+//! Tests of an author's own files: scenes beside their goldens, textures and shapes before their laws.
+//!
+//! In: [`Case`]s and devices. Out: [`Outcome`]s, and texts about them for people and programs. The only room
+//! that writes goldens, and only where it is told to bless.
+
+mod cases;
+mod difference;
+mod goldens;
+mod jobs;
+mod outcome;
+mod report;
+mod scene;
+mod settings;
+mod snippet;
+
+pub use cases::{Case, CaseKind, find};
+pub use difference::{Hunk, TextDifference};
+pub use goldens::Goldens;
+pub use jobs::by_devices;
+pub use outcome::{Failure, Outcome, PictureFailure};
+pub use report::{Run, html, human, json, junit};
+pub use scene::{Bench, rgb};
+pub use settings::{Settings, is_settings};
+
+use crate::gpu::Gpu;
+
+/// Runs all `cases`, a thread for each of `devices`; `done` is told how many are.
+pub fn run(bench: &Bench, devices: &[Gpu], cases: &[Case], done: &mut dyn FnMut(usize)) -> Vec<Outcome> {
+    let check = |gpu: &Gpu, case: &Case| match case.kind {
+        CaseKind::Scene => scene::check(bench, gpu, case),
+        CaseKind::Snippet(family) => snippet::check(bench, gpu, case, family),
+    };
+    by_devices(devices, cases, check, done)
+}

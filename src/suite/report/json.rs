@@ -1,0 +1,96 @@
+//! For programs: one object with all that was measured.
+
+use serde::Serialize;
+
+use super::Run;
+use crate::suite::{Failure, Outcome};
+
+#[derive(Serialize)]
+struct Report<'a> {
+    passed: usize,
+    failed: usize,
+    skipped: usize,
+    adapter: &'a str,
+    tests: Vec<Test<'a>>,
+}
+
+#[derive(Serialize)]
+struct Test<'a> {
+    name: &'a str,
+    /// passed, failed or skipped
+    outcome: &'a str,
+    milliseconds: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<&'a str>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    written: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    picture: Option<Measures>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    failures: Vec<Told>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bless: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Measures {
+    outliers: usize,
+    structure: f64,
+    window: f64,
+    flip: f64,
+}
+
+#[derive(Serialize)]
+struct Told {
+    kind: &'static str,
+    message: String,
+    /// left, top, right, bottom; ends included
+    #[serde(skip_serializing_if = "Option::is_none")]
+    area: Option<[u32; 4]>,
+}
+
+/// The JSON text of a run.
+pub fn json(run: &Run) -> String {
+    let report = Report {
+        passed: run.passed(),
+        failed: run.failed(),
+        skipped: run.outcomes.iter().filter(|outcome| outcome.skipped.is_some()).count(),
+        adapter: &run.adapter,
+        tests: run.outcomes.iter().map(|outcome| test(run, outcome)).collect(),
+    };
+    serde_json::to_string_pretty(&report).expect("numbers and strings") + "\n"
+}
+
+fn test<'a>(run: &Run, outcome: &'a Outcome) -> Test<'a> {
+    let word = match (&outcome.skipped, outcome.failures.is_empty()) {
+        (Some(_), _) => "skipped",
+        (None, true) => "passed",
+        (None, false) => "failed",
+    };
+    let picture = outcome.verdict.as_ref().map(|verdict| Measures {
+        outliers: verdict.outliers.count,
+        structure: verdict.structure.mean,
+        window: verdict.structure.least,
+        flip: verdict.flip,
+    });
+    Test {
+        name: &outcome.case.name,
+        outcome: word,
+        milliseconds: outcome.time.as_millis() as u64,
+        reason: outcome.skipped.as_deref(),
+        written: outcome.written.iter().map(|(path, _)| path.display().to_string()).collect(),
+        picture,
+        failures: outcome.failures.iter().map(told).collect(),
+        bless: outcome.how_to_bless(&run.call),
+    }
+}
+
+fn told(failure: &Failure) -> Told {
+    let area = match failure {
+        Failure::Picture(picture) => {
+            picture.verdict.outliers.bounds.map(|b| [b.x[0], b.y[0], b.x[1], b.y[1]])
+        }
+        _ => None,
+    };
+    Told { kind: failure.kind(), message: failure.told().join("\n"), area }
+}
