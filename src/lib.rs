@@ -18,6 +18,7 @@
 //! ```
 
 pub mod app;
+pub mod capture;
 pub mod cli;
 pub mod diagnostic;
 pub mod edit;
@@ -35,6 +36,7 @@ pub mod watch;
 pub mod wgsl;
 
 use std::path::Path;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use diagnostic::{Diagnostic, Report};
@@ -46,6 +48,8 @@ use wgsl::{Mode, Source};
 /// A scene that is ready for a GPU.
 #[derive(Clone, Debug)]
 pub struct Compiled {
+    /// The scene as its author wrote it.
+    pub text: Arc<str>,
     pub scene: ir::Scene,
     pub source: Source,
     pub module: Module,
@@ -60,7 +64,8 @@ impl Compiled {
     pub fn in_mode(&self, mode: Mode) -> Result<Self, Diagnostic> {
         let source = wgsl::generate(&self.scene, mode);
         let module = on_deep_stack(|| module::validate(&source))?;
-        Ok(Self { scene: self.scene.clone(), source, module, times: self.times })
+        let (text, scene) = (self.text.clone(), self.scene.clone());
+        Ok(Self { text, scene, source, module, times: self.times })
     }
 
     /// The same scene with the entry points by which a [`gpu::Probe`] asks it.
@@ -70,7 +75,8 @@ impl Compiled {
     pub fn probed(&self) -> Result<Self, Diagnostic> {
         let source = self.source.clone().with_probe();
         let module = on_deep_stack(|| module::validate(&source))?;
-        Ok(Self { scene: self.scene.clone(), source, module, times: self.times })
+        let (text, scene) = (self.text.clone(), self.scene.clone());
+        Ok(Self { text, scene, source, module, times: self.times })
     }
 }
 
@@ -138,7 +144,7 @@ fn stages(
     };
     let naga = clock.lap();
     let times = Times { parse, resolve, generate, naga };
-    Ok((Compiled { scene, source, module, times }, warnings))
+    Ok((Compiled { text, scene, source, module, times }, warnings))
 }
 
 /// Runs `work` on a thread whose stack holds the recursion of naga and of the RON parser.

@@ -4,10 +4,12 @@
 mod common;
 mod patterns;
 
+use std::ops::ControlFlow;
+
 use common::expect_none;
 use image::RgbImage;
 use raytoy::Compiled;
-use raytoy::gpu::{Gpu, Moment, Pipeline, draw};
+use raytoy::gpu::{Gpu, Moment, Renderer};
 use raytoy::judge::{Limits, Verdict, judge};
 use raytoy::laws::World;
 use raytoy::suite::{Settings, rgb};
@@ -198,37 +200,37 @@ impl Stage {
 
 fn check(gpu: &Gpu, stage: &Stage) -> Vec<(String, Verdict)> {
     let baked = stage.compiled(Mode::Baked, None);
-    let written = pipeline(gpu, &baked);
-    let golden = picture(gpu, &written, &baked);
+    let mut written = renderer(gpu, &baked);
+    let golden = picture(&mut written, &baked);
     let verdict = |name: &str, actual: &RgbImage| {
         (name.to_owned(), judge(&golden, actual, Limits::default()).expect("all are of one size"))
     };
     let live = stage.compiled(Mode::Live, None);
-    let shown = pipeline(gpu, &live);
+    let mut shown = renderer(gpu, &live);
     let mut found = vec![
-        verdict("same, with numbers as data", &picture(gpu, &shown, &live)),
-        verdict("same, drawn again", &picture(gpu, &written, &baked)),
+        verdict("same, with numbers as data", &picture(&mut shown, &live)),
+        verdict("same, drawn again", &picture(&mut written, &baked)),
     ];
     for change in CHANGES {
         let next = stage.changed(change).compiled(Mode::Live, Some(&live));
         let actual = if next.source.sections == live.source.sections {
-            shown.upload(gpu, &next.source.numbers);
-            picture(gpu, &shown, &next)
+            shown.take(&next);
+            picture(&mut shown, &next)
         } else {
-            picture(gpu, &pipeline(gpu, &next), &next)
+            picture(&mut renderer(gpu, &next), &next)
         };
         found.push(verdict(&format!("{change:?}"), &actual));
     }
     found
 }
 
-fn pipeline(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
-    Pipeline::build(gpu, compiled).unwrap_or_else(|error| panic!("{error}"))
+fn renderer(gpu: &Gpu, compiled: &Compiled) -> Renderer {
+    let size = Settings::default().size;
+    Renderer::new(gpu, compiled, size).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn picture(gpu: &Gpu, pipeline: &Pipeline, compiled: &Compiled) -> RgbImage {
-    let Settings { size, samples, .. } = Settings::default();
-    let moment = Moment::of(&compiled.scene);
-    let drawn = draw(gpu, pipeline, compiled, &moment, size, samples, &mut |_| ());
-    rgb(&drawn.unwrap_or_else(|error| panic!("{error}")))
+fn picture(renderer: &mut Renderer, compiled: &Compiled) -> RgbImage {
+    let samples = Settings::default().samples;
+    let drawn = renderer.draw(&Moment::of(&compiled.scene), samples, &mut |_| ControlFlow::Continue(()));
+    rgb(&drawn.unwrap_or_else(|error| panic!("{error}")).expect("nobody stops it"))
 }

@@ -7,7 +7,7 @@ use raytoy::library::{Family, Library};
 use raytoy::sources::Sources;
 
 /// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
-const IMPORTS: [(&str, &[&str]); 18] = [
+const IMPORTS: [(&str, &[&str]); 19] = [
     ("diagnostic", &[]),
     ("sources", &["diagnostic"]),
     ("scene", &["diagnostic"]),
@@ -19,6 +19,7 @@ const IMPORTS: [(&str, &[&str]); 18] = [
     ("wgsl", &["ir", "library"]),
     ("module", &["wgsl", "diagnostic"]),
     ("gpu", &["ir", "wgsl", "library", "Compiled", "on_deep_stack"]),
+    ("capture", &["gpu", "Compiled"]),
     ("watch", &["sources"]),
     ("judge", &[]),
     ("laws", &["diagnostic", "gpu", "library", "sources", "wgsl", "Compiled", "compile"]),
@@ -50,6 +51,7 @@ const IMPORTS: [(&str, &[&str]); 18] = [
         "cli",
         &[
             "app",
+            "capture",
             "diagnostic",
             "gpu",
             "ir",
@@ -66,13 +68,14 @@ const IMPORTS: [(&str, &[&str]); 18] = [
 ];
 
 /// What only some rooms may name, and where.
-const RESERVED: [(&str, &[&str]); 8] = [
+const RESERVED: [(&str, &[&str]); 9] = [
     ("wgpu::", &["gpu", "app"]),
     ("winit::", &["app"]),
     ("egui::", &["app"]),
     ("notify::", &["watch"]),
     ("clap::", &["cli"]),
-    ("std::fs", &["sources", "suite", "app", "cli", "watch", "build"]),
+    ("png::", &["capture", "suite"]),
+    ("std::fs", &["sources", "suite", "app", "capture", "cli", "watch", "build"]),
     ("println!", &["cli", "build"]),
     // One line in gpu: an error that slips through all scopes has nowhere else to go.
     ("eprintln!", &["cli", "gpu/device"]),

@@ -1,5 +1,6 @@
 //! What can be asked for on the command line.
 
+use std::ops::Range;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -30,8 +31,13 @@ pub struct Arguments {
 pub enum Command {
     /// Open a scene in a window; each save of it shows at once
     View(ViewOptions),
-    /// Draw scenes to PNG or EXR files
+    /// Draw scenes to PNG or EXR files, or their frames to a movie
     Render(RenderOptions),
+    /// Print the scene that a PNG file drawn by raytoy carries
+    Scene {
+        /// The picture, or - for standard input
+        picture: PathBuf,
+    },
     /// Tell all mistakes in scenes and in texture or shape files
     Check {
         /// Scenes, .wgsl files, or folders of them
@@ -87,12 +93,15 @@ Examples:
   raytoy render scenes/table.ron -o normals.png --view normal
   raytoy render scenes/table.ron -o table.exr     linear light, depth Z and object index, 32-bit floats
   raytoy render scenes/*.ron -o gallery/          a picture for each scene
+  raytoy render wave.ron -o wave.mp4 --frames 0..120      four seconds of a scene that moves
+  raytoy render wave.ron -o wave/####.png --frames 0..120     wave/0000.png to wave/0119.png
   cat scene.ron | raytoy render - -o - > picture.png")]
 pub struct RenderOptions {
     /// Scenes, or - for standard input
     #[arg(required = true, value_name = "SCENE")]
     pub scenes: Vec<PathBuf>,
-    /// A .png or .exr file, a folder, or - for a PNG on standard output
+    /// A .png or .exr file, a folder, or - for a PNG on standard output; with --frames a .mp4, .webm or .gif
+    /// movie, or pictures with their numbers in place of #, such as frames/####.png
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// Width and height of the picture
@@ -105,6 +114,12 @@ pub struct RenderOptions {
     /// Seconds since the scene began
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
     pub time: f32,
+    /// Draw the frames FROM to TO - 1; frame n shows the scene at n / fps seconds
+    #[arg(long, value_name = "FROM..TO", conflicts_with = "time", value_parser = frames)]
+    pub frames: Option<Range<u32>>,
+    /// Frames a second
+    #[arg(long, value_name = "N", default_value_t = 30.0, requires = "frames", value_parser = rate)]
+    pub fps: f64,
     /// color, normal, depth, position, uv, object, material, bounces or shadow
     #[arg(long, value_name = "NAME", default_value = "color", value_parser = view)]
     pub view: View,
@@ -173,6 +188,17 @@ fn size(text: &str) -> Result<[u32; 2], String> {
     let parsed = text.split_once(['x', 'X']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     let sensible = |size: &[u32; 2]| size.iter().all(|n| (1..=32768).contains(n));
     parsed.filter(sensible).ok_or_else(|| "a size is width x height in pixels, such as 960x540".into())
+}
+
+fn frames(text: &str) -> Result<Range<u32>, String> {
+    let parsed = text.split_once("..").and_then(|(from, to)| Some(from.parse().ok()?..to.parse().ok()?));
+    let some = parsed.filter(|range: &Range<u32>| !range.is_empty());
+    some.ok_or_else(|| "frames go from a number up to a higher one, such as 0..120 for 0 to 119".into())
+}
+
+fn rate(text: &str) -> Result<f64, String> {
+    let sensible = text.parse().ok().filter(|rate| (0.01..=1000.0).contains(rate));
+    sensible.ok_or_else(|| "frames a second are a number from 0.01 to 1000".into())
 }
 
 fn view(text: &str) -> Result<View, String> {

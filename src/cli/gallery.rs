@@ -3,10 +3,9 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use image::ImageFormat;
-
-use super::render::{encoded, with_progress};
+use super::render::with_progress;
 use super::{Failure, Result, print_report, write_output};
+use crate::capture::jpeg;
 use crate::compile;
 use crate::gpu::{self, AdapterChoice, Gpu, Moment};
 use crate::library::{Family, Function, Kind, Library, Parameter, knot, sample};
@@ -36,7 +35,7 @@ pub fn run(folder: &Path) -> Result {
                     }
                     Err(_) => wrong += 1,
                 }
-                progress((i + 1) as f32 / names.len() as f32);
+                let _ = progress((i + 1) as f32 / names.len() as f32);
             }
             Ok::<(), Failure>(())
         })?;
@@ -61,7 +60,7 @@ fn draw(gpu: &Gpu, here: &Path, function: &Function, folder: &Path) -> Result {
     };
     let moment = Moment::of(&compiled.scene);
     let picture = gpu::render(gpu, &compiled, &moment, SIZE, SAMPLES, &mut |_| ())?;
-    write_output(&folder.join(format!("{}.jpg", function.name)), &encoded(&picture, ImageFormat::Jpeg)?)
+    write_output(&folder.join(format!("{}.jpg", function.name)), &jpeg(&picture)?)
 }
 
 /// A texture on a ball, a block and a floor; a shape on a floor.

@@ -4,10 +4,12 @@
 
 mod args;
 mod check;
+mod frames;
 mod gallery;
 mod generate;
 mod list;
 mod render;
+mod scene;
 mod stats;
 mod test;
 mod view;
@@ -19,6 +21,7 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser};
 
 use self::args::{Arguments, Command};
+use crate::capture::write_file;
 use crate::diagnostic::{Report, Severity};
 use crate::library::Family;
 use crate::sources::Sources;
@@ -46,6 +49,7 @@ pub fn run() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::View(options) => view::run(&options),
         Command::Render(options) => render::run(&options),
+        Command::Scene { picture } => scene::run(&picture),
         Command::Check { paths } => check::run(&paths),
         Command::Test(options) => test::run(&options),
         Command::Generate { scene, live, output } => generate::run(&scene, live, output.as_deref()),
@@ -112,7 +116,7 @@ fn write_output(path: &Path, bytes: &[u8]) -> Result {
         let mut out = std::io::stdout().lock();
         out.write_all(bytes).and_then(|()| out.flush())
     } else {
-        std::fs::write(path, bytes)
+        write_file(path, bytes)
     };
     match written {
         // Whoever reads has seen enough: `raytoy textures | head`.

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-use crate::Compiled;
-use crate::gpu::{Gpu, Picture};
+use crate::capture::Shot;
+use crate::gpu::PictureTimes;
 
 /// One picture. Times are milliseconds.
 #[derive(Serialize)]
@@ -27,13 +27,14 @@ pub struct Stats {
 }
 
 impl Stats {
-    pub fn new(gpu: &Gpu, compiled: &Compiled, picture: &Picture, samples: u32) -> Self {
+    pub fn new(shot: &Shot<'_>, times: &PictureTimes) -> Self {
+        let Shot { gpu, compiled, size, samples, .. } = *shot;
         let ms = |time: Duration| (time.as_secs_f64() * 1e6).round() / 1e3;
         Self {
             scene: compiled.scene.name.clone(),
             adapter: gpu.describe(),
-            width: picture.size[0],
-            height: picture.size[1],
+            width: size[0],
+            height: size[1],
             samples,
             objects: compiled.scene.objects.len(),
             wgsl_bytes: compiled.source.text().len(),
@@ -41,9 +42,9 @@ impl Stats {
             resolve_ms: ms(compiled.times.resolve),
             generate_ms: ms(compiled.times.generate),
             naga_ms: ms(compiled.times.naga),
-            pipeline_ms: ms(picture.times.pipeline),
-            first_frame_ms: ms(picture.times.first_frame),
-            frame_ms: ms(picture.times.frame),
+            pipeline_ms: ms(times.pipeline),
+            first_frame_ms: ms(times.first_frame),
+            frame_ms: ms(times.frame),
         }
     }
 

@@ -22,7 +22,9 @@ pub fn run(options: &TestOptions) -> Result {
     let devices = devices(options, cases.len())?;
     let count = cases.len() as f32;
     let outcomes = with_progress("testing", |progress| {
-        suite::run(&bench, &devices, &cases, &mut |done| progress(done as f32 / count))
+        suite::run(&bench, &devices, &cases, &mut |done| {
+            let _ = progress(done as f32 / count);
+        })
     });
     let run = Run { outcomes, adapter: devices[0].describe(), call: call(options) };
     if let Some(path) = &options.report {

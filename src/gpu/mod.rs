@@ -15,7 +15,7 @@ mod uniforms;
 
 pub use device::{AdapterChoice, Gpu, GpuError, prefer_quick_compiles};
 pub use display::{Display, Target};
-pub use image::{Picture, draw, render};
+pub use image::{Picture, PictureTimes, Renderer, render};
 pub use pipeline::Pipeline;
 pub use probe::{Crossing, Look, Probe, Ray, SurfacePoint};
 pub use tracer::Tracer;

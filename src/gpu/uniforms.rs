@@ -42,6 +42,11 @@ impl View {
         ("bounces", View::Bounces),
         ("shadow", View::Shadow),
     ];
+
+    /// The name by which it is asked for.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, view)| *view == self).expect("all are there").0
+    }
 }
 
 /// The moment at which a picture is taken, and by which camera.

@@ -1,5 +1,6 @@
 //! One scene beside its goldens: text, naga's verdict in both modes, picture.
 
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -8,7 +9,7 @@ use image::RgbImage;
 use super::goldens::{png, read_picture, read_text, write};
 use super::settings::{Settings, settings_for};
 use super::{Case, Failure, Goldens, Outcome, PictureFailure, TextDifference};
-use crate::gpu::{self, Gpu, GpuError, Moment, Picture, Pipeline, View};
+use crate::gpu::{Gpu, GpuError, Moment, Picture, Renderer, View};
 use crate::judge::{change, judge};
 use crate::sources::Sources;
 use crate::wgsl::Mode;
@@ -96,8 +97,8 @@ impl Test<'_> {
     }
 
     fn compare_picture(&mut self, compiled: &Compiled, settings: &Settings) -> Result<(), GpuError> {
-        let pipeline = Pipeline::build(self.gpu, compiled)?;
-        let actual = self.draw(&pipeline, compiled, settings, View::Color, settings.samples)?;
+        let mut renderer = Renderer::new(self.gpu, compiled, settings.size)?;
+        let actual = draw(&mut renderer, compiled, settings, View::Color, settings.samples)?;
         let actual = rgb(&actual);
         let [path, target] = self.bench.goldens.pictures(self.case);
         let golden = match read_picture(&path) {
@@ -120,7 +121,7 @@ impl Test<'_> {
                 }
                 let tolerance = settings.limits.tolerance;
                 let change = change(&expected, &actual, tolerance);
-                let seen = self.draw(&pipeline, compiled, settings, View::Object, 1)?;
+                let seen = draw(&mut renderer, compiled, settings, View::Object, 1)?;
                 let objects = objects(compiled, &seen, [&expected, &actual], tolerance);
                 let actual = actual.clone();
                 Failure::Picture(Box::new(PictureFailure {
@@ -135,18 +136,6 @@ impl Test<'_> {
         };
         self.fail_or_bless(failure, &target, !target.exists(), || png(&actual));
         Ok(())
-    }
-
-    fn draw(
-        &self,
-        pipeline: &Pipeline,
-        compiled: &Compiled,
-        settings: &Settings,
-        view: View,
-        samples: u32,
-    ) -> Result<Picture, GpuError> {
-        let moment = Moment { view, time: settings.time, ..Moment::of(&compiled.scene) };
-        gpu::draw(self.gpu, pipeline, compiled, &moment, settings.size, samples, &mut |_| ())
     }
 
     /// Writes the golden that `failure` is about, or notes the failure.
@@ -226,4 +215,16 @@ impl Outcome {
             time: Default::default(),
         }
     }
+}
+
+fn draw(
+    renderer: &mut Renderer,
+    compiled: &Compiled,
+    settings: &Settings,
+    view: View,
+    samples: u32,
+) -> Result<Picture, GpuError> {
+    let moment = Moment { view, time: settings.time, ..Moment::of(&compiled.scene) };
+    let picture = renderer.draw(&moment, samples, &mut |_| ControlFlow::Continue(()))?;
+    Ok(picture.expect("nobody stops it"))
 }

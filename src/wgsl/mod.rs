@@ -66,6 +66,11 @@ impl Source {
         self
     }
 
+    /// Whether a picture of it depends on the time.
+    pub fn reads_time(&self) -> bool {
+        self.sections.iter().any(|section| section.text.contains("frame.time"))
+    }
+
     /// The section and the byte in it that byte `at` of [`Source::text`] came from.
     pub fn origin(&self, at: usize) -> (&Section, usize) {
         let mut start = 0;

@@ -1,0 +1,82 @@
+//! Files that are whole at all times: what was there before, or all that is new.
+
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions, Permissions};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A file in the making: it lies beside the one that it is to replace, and is removed with this value unless
+/// it is kept.
+#[derive(Debug)]
+pub struct Draft {
+    path: PathBuf,
+    /// Where it belongs.
+    place: PathBuf,
+    /// Those of the file that it replaces.
+    permissions: Option<Permissions>,
+}
+
+/// Writes `bytes` to the file at `path`; a device or a pipe there gets them as they come.
+///
+/// # Errors
+/// Where the file cannot be written.
+pub fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    if is_special(path) {
+        return fs::write(path, bytes);
+    }
+    let draft = Draft::beside(path)?;
+    fs::write(draft.path(), bytes)?;
+    draft.keep()
+}
+
+impl Draft {
+    /// An empty file called as the one at `path`, with `.part` behind.
+    ///
+    /// # Errors
+    /// Where one of the two cannot be written, or `path` is no place for a file.
+    pub fn beside(path: &Path) -> io::Result<Self> {
+        if is_special(path) {
+            return Err(io::Error::other("it is no file"));
+        }
+        // A link stays one: what it leads to is replaced.
+        let place = if path.is_symlink() { fs::canonicalize(path)? } else { path.to_owned() };
+        let permissions = match OpenOptions::new().write(true).open(&place) {
+            Ok(file) => Some(file.metadata()?.permissions()),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => return Err(error),
+        };
+        let mut name = place.file_name().map_or_else(OsString::new, OsString::from);
+        name.push(".part");
+        let path = place.with_file_name(name);
+        File::create(&path)?;
+        Ok(Self { path, place, permissions })
+    }
+
+    /// Where to write.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Puts it in its place.
+    ///
+    /// # Errors
+    /// Where the system refuses; then the file is as it was before.
+    pub fn keep(mut self) -> io::Result<()> {
+        if let Some(permissions) = self.permissions.take() {
+            fs::set_permissions(&self.path, permissions)?;
+        }
+        fs::rename(&self.path, &self.place)
+    }
+}
+
+impl Drop for Draft {
+    fn drop(&mut self) {
+        // It is not there any more if it was kept.
+        let _ = fs::remove_file(&self.path);
+    }
+}
+
+/// Whether there is something at `path` that no other file can take the place of, such as a device.
+fn is_special(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
+}
