@@ -4,58 +4,70 @@
 /// Off the lattice's own planes, where floors and walls would lie between two cells.
 const CELL_SHIFT = vec3f(0.31, 0.23, 0.17);
 
+/// What lies around four places.
 struct NearestCells {
     /// Distances to the nearest point and to the next, in cells of the lattice.
-    f1: f32,
-    f2: f32,
+    f1: vec4f,
+    f2: vec4f,
     /// Distance to the nearest wall between two regions.
-    edge: f32,
-    /// Random bits of the two points.
-    id: vec2u,
+    edge: vec4f,
+    /// Random bits of the nearest point and of the next.
+    near: vec4u,
+    next: vec4u,
 }
 
-/// `metric` is 0 euclidean, 1 manhattan, 2 chebyshev. With a `normal` other than 0 the way to a wall is
-/// measured along the surface there, so that no wall looks wide for being met at a slant.
-/// Without `walls` only the wall between the two nearest points counts; in one place of seven another is
-/// nearer.
-fn nearestCells(position: vec3f, jitter: f32, metric: u32, normal: vec3f, walls: bool) -> NearestCells {
+/// The cells at four places, ±spread[0] ± spread[1] from `position`, which cost little more than one: most of
+/// the work is to find the points. `metric` is 0 euclidean, 1 manhattan, 2 chebyshev. `walls` are those of
+/// euclidean regions; without, `edge` is 0 on a wall and grows about as fast as the way to it. With a
+/// `normal` other than 0 that way is along the surface, so that no wall looks wide for being met at a slant.
+fn nearestCells(
+    position: vec3f, spread: mat2x3f, jitter: f32, metric: u32, normal: vec3f, walls: bool,
+) -> NearestCells {
     let p = position + CELL_SHIFT;
-    var found = NearestCells(1e9, 1e9, 1e9, vec2u(0u));
+    let places = cellPlaces(spread);
+    var found = NearestCells(vec4f(1e9), vec4f(1e9), vec4f(0.0), vec4u(0u), vec4u(0u));
     var home = floor(p);
-    var nearest = vec3f(0.0);
-    var next = vec3f(0.0);
+    var nearest = mat3x4f();
     for (var i = 0u; i < 27u; i++) {
         let cell = floor(p) + cellNeighbor(i);
-        let word = cellCorners(cell).near.x;
-        let point = cellPoint(cell - p, word, jitter);
-        let away = cellDistance(point, metric);
-        if away < found.f1 {
-            found.f2 = found.f1;
-            found.f1 = away;
-            found.id = vec2u(word, found.id.x);
-            next = nearest;
-            nearest = point;
-            home = cell;
-        } else if away < found.f2 {
-            found.f2 = away;
-            found.id.y = word;
-            next = point;
-        }
+        let word = vec4u(cellCorners(cell).near.x);
+        let point = cellPoint(cell - p, word.x, jitter);
+        let away = cellDistance(cellWays(point, places), metric);
+        let closer = away < found.f1;
+        found.next = select(select(found.next, word, away < found.f2), found.near, closer);
+        found.near = select(found.near, word, closer);
+        found.f2 = min(found.f2, max(found.f1, away));
+        found.f1 = min(found.f1, away);
+        home = select(home, cell, closer.x);
+        nearest[0] = select(nearest[0], vec4f(point.x), closer);
+        nearest[1] = select(nearest[1], vec4f(point.y), closer);
+        nearest[2] = select(nearest[2], vec4f(point.z), closer);
     }
-    // Regions of the other metrics have crooked walls; this is 0 on them and grows about as fast.
     found.edge = 0.5 * (found.f2 - found.f1);
-    if metric == 0u {
-        found.edge = cellWall(nearest, next, normal);
-    }
     if walls && metric == 0u {
+        found.edge = vec4f(1e9);
         // Around the cell of the nearest point: around p, a few walls would be missed.
         for (var i = 0u; i < 27u; i++) {
             let cell = home + cellNeighbor(i);
             let point = cellPoint(cell - p, cellCorners(cell).near.x, jitter);
-            found.edge = min(found.edge, cellWall(nearest, point, normal));
+            let away = cellDistance(cellWays(point, places), 0u);
+            let across = cellWays(point, nearest);
+            let apart = cellDistance(across, 0u);
+            let slant = across * normal;
+            // To the plane halfway between two points; a point has none towards itself.
+            let wall = 0.5 * (away * away - found.f1 * found.f1)
+                * inverseSqrt(max(apart * apart - slant * slant, 1e-4 * apart * apart));
+            found.edge = min(found.edge, select(wall, vec4f(1e9), apart < vec4f(1e-3)));
         }
     }
     return found;
+}
+
+/// The random shades of regions, 0 to 1, as a mean over the four places, blurred over `width`.
+fn cellShade(found: NearestCells, width: f32) -> f32 {
+    let other = tenBits(pcg(found.next), 0u);
+    let shades = mix(other, tenBits(pcg(found.near), 0u), min(0.5 + found.edge / width, vec4f(1.0)));
+    return 0.5 + 0.125 * dot(shades, vec4f(1.0));
 }
 
 fn cellNeighbor(i: u32) -> vec3f {
@@ -68,23 +80,21 @@ fn cellPoint(corner: vec3f, word: u32, jitter: f32) -> vec3f {
     return corner + 0.5 + jitter * (vec3f(bits) / 1023.0 - 0.5);
 }
 
-fn cellDistance(v: vec3f, metric: u32) -> f32 {
-    let a = abs(v);
-    switch metric {
-        case 1u: { return a.x + a.y + a.z; }
-        case 2u: { return max(a.x, max(a.y, a.z)); }
-        default: { return length(v); }
-    }
+/// x, y and z of four places.
+fn cellPlaces(spread: mat2x3f) -> mat3x4f {
+    return transpose(mat4x3f(-spread[0] - spread[1], spread[0] - spread[1],
+        spread[1] - spread[0], spread[0] + spread[1]));
 }
 
-/// Distance to the plane halfway between two points.
-fn cellWall(from_: vec3f, to: vec3f, normal: vec3f) -> f32 {
-    let across = to - from_;
-    let apart = length(across);
-    // A point has no wall towards itself.
-    if apart < 1e-3 {
-        return 1e9;
+/// The ways from four places to `point`.
+fn cellWays(point: vec3f, places: mat3x4f) -> mat3x4f {
+    return mat3x4f(point.x - places[0], point.y - places[1], point.z - places[2]);
+}
+
+fn cellDistance(ways: mat3x4f, metric: u32) -> vec4f {
+    switch metric {
+        case 1u: { return abs(ways[0]) + abs(ways[1]) + abs(ways[2]); }
+        case 2u: { return max(abs(ways[0]), max(abs(ways[1]), abs(ways[2]))); }
+        default: { return sqrt(ways[0] * ways[0] + ways[1] * ways[1] + ways[2] * ways[2]); }
     }
-    let slant = dot(across, normal) / apart;
-    return 0.5 * dot(from_ + to, across) / apart * inverseSqrt(max(1.0 - slant * slant, 1e-4));
 }

@@ -64,25 +64,6 @@ fn vectorNoise(p: vec3f) -> vec3f {
     );
 }
 
-/// Octaves of noise in 0 to 1, mean 0.5; those too fine for the footprint fade to their mean.
-fn fractalNoise(p: vec3f, octaves: u32, lacunarity: f32, gain: f32, footprint: f32) -> f32 {
-    var q = p;
-    var width = footprint;
-    var amplitude = 1.0;
-    var sum = vec2f(0.0);
-    for (var i = 0u; i < clamp(octaves, 1u, 16u); i++) {
-        q = OCTAVE_TURN * q + OCTAVE_SHIFT;
-        // About what a box as wide as the footprint leaves of this noise.
-        let seen = 1.0 / (1.0 + 0.7 * width * width * width);
-        let detail = seen * (perlinNoise(q) - 0.5);
-        sum += amplitude * vec2f(detail, 1.0);
-        amplitude *= gain;
-        width *= lacunarity;
-        q *= lacunarity;
-    }
-    return 0.5 + sum.x / sum.y;
-}
-
 /// How much of the interval of `width` around x has fract(x) < duty, in closed form.
 fn dutyShare(x: vec2f, width: vec2f, duty: f32) -> vec2f {
     let f = x - floor(x);

@@ -14,7 +14,7 @@ use raytoy::wgsl::Mode;
 /// A call in black and white, how many scene units a cell of it has, and the most that the filter may be off,
 /// as a mean over many places: measured, and rounded up. How pieces differ in brightness is left out: that is
 /// no edge.
-const PATTERNS: [(&str, f32, f64); 18] = [
+const PATTERNS: [(&str, f32, f64); 26] = [
     ("Checker(even: 1, odd: 0)", 1.0, 0.005),
     ("Stripes(even: 1, odd: 0)", 1.0, 0.005),
     ("Brick(variation: 0, clay: 1, joint: 0)", 0.25, 0.005),
@@ -29,11 +29,18 @@ const PATTERNS: [(&str, f32, f64); 18] = [
     ("Hexagon(first: 1, second: 0.5, third: 0, joint: 0.5)", 0.5, 0.02),
     ("Weave(warp: 1, weft: 0.5, ground: 0)", 0.3333, 0.02),
     ("Scales(variation: 0, tip: 1, base: 0.5, rim: 0)", 0.3333, 0.02),
-    ("Triangles(even: 1, odd: 0, joint: 0.5)", 0.6667, 0.025),
-    ("Truchet(line: 0.5, even: 1, odd: 0)", 0.5, 0.03),
-    // A pixel sees two stones or plates at most, and beyond fades to their mean.
-    ("Crackle(variation: 0, plate: 1, crack: 0)", 0.55, 0.035),
-    ("Cells(first: 1, second: 0)", 0.4, 0.04),
+    ("Triangles(even: 1, odd: 0, joint: 0.5)", 0.6667, 0.005),
+    ("Truchet(line: 0.5, even: 1, odd: 0)", 0.5, 0.015),
+    ("Terrazzo(variation: 0, ground: 0, first: 1, second: 1, third: 1)", 0.3333, 0.02),
+    ("Crackle(variation: 0, plate: 1, crack: 0)", 0.55, 0.02),
+    ("Cells(first: 1, second: 0)", 0.4, 0.02),
+    ("Voronoi(feature: f1)", 0.5, 0.02),
+    ("Voronoi(feature: f2)", 0.5, 0.02),
+    ("Voronoi(feature: difference)", 0.5, 0.02),
+    ("Voronoi(feature: edge)", 0.5, 0.02),
+    ("Voronoi(feature: cell)", 0.5, 0.02),
+    ("Voronoi(feature: cell, metric: manhattan)", 0.5, 0.02),
+    ("Voronoi(feature: edge, metric: chebyshev)", 0.5, 0.02),
 ];
 
 /// Footprints, in cells.

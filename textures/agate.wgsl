@@ -9,19 +9,14 @@
 fn agate(
     at: Surface, scale: f32, bands: f32, warp: f32, pale: vec3f, warm: vec3f, dark: vec3f,
 ) -> vec3f {
-    var q = at.position * scale;
-    var width = at.footprint * scale;
-    var amplitude = 1.0;
+    var octave = firstOctave(at.position * scale, at.footprint * scale);
     var field = 0.0;
     var lost = 0.0;
     for (var i = 0u; i < 3u; i++) {
-        q = OCTAVE_TURN * q + OCTAVE_SHIFT;
-        let seen = exp(-0.6 * width * width);
-        field += amplitude * seen * (perlinNoise(q) - 0.5);
-        lost += amplitude * amplitude * (1.0 - seen * seen);
-        amplitude *= warp;
-        width *= 2.2;
-        q *= 2.2;
+        let seen = exp(-0.6 * octave.width * octave.width);
+        field += octave.amplitude * seen * (perlinNoise(octave.p) - 0.5);
+        lost += octave.amplitude * octave.amplitude * (1.0 - seen * seen);
+        octave = nextOctave(octave, 2.2, warp);
     }
     // Waves of unlike length never repeat. What the footprint hides of the field is chance of deviation
     // 0.22 √lost, and the mean of a wave over a normal chance is that wave, fainter.

@@ -14,11 +14,11 @@ fn cairo(
     let width = at.footprint * scale;
     var tile = mean;
     if width < 3.0 {
-        let n = u32(clamp(ceil(6.0 * width), 1.0, 4.0));
+        let n = footprintParts(width, 6.0);
         let part = width / f32(n);
         var sum = vec2f(0.0);
         for (var i = 0u; i < n * n; i++) {
-            let q = at.uv * scale + part * (vec2f(vec2u(i % n, i / n)) + 0.5) - 0.5 * width;
+            let q = at.uv * scale + footprintPart(i, n, width);
             sum += cairoTile(q, max(part, 1e-20), gap);
         }
         tile = mix(sum / f32(n * n), mean, smoothstep(1.5, 3.0, width));

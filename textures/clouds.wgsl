@@ -11,22 +11,17 @@ fn clouds(
     at: Surface, scale: f32, octaves: u32, coverage: f32, softness: f32,
     sky: vec3f, cloud: vec3f, shade: vec3f,
 ) -> vec3f {
-    var q = at.position * scale;
-    var width = at.footprint * scale;
-    // An octave counts by its deviation, 0.22 for the first, so that variances can be summed.
-    var amplitude = 0.22;
+    var octave = firstOctave(at.position * scale, at.footprint * scale);
     var field = 0.0;
     var whole = 0.0;
     var lost = 0.0;
     for (var i = 0u; i < clamp(octaves, 1u, 12u); i++) {
-        q = OCTAVE_TURN * q + OCTAVE_SHIFT;
-        let seen = exp(-0.6 * width * width);
-        field += amplitude / 0.22 * seen * (perlinNoise(q) - 0.5);
-        whole += amplitude * amplitude;
-        lost += amplitude * amplitude * (1.0 - seen * seen);
-        amplitude *= 0.5;
-        width *= 2.0;
-        q *= 2.0;
+        let seen = exp(-0.6 * octave.width * octave.width);
+        field += octave.amplitude * seen * (perlinNoise(octave.p) - 0.5);
+        let variance = 0.0484 * octave.amplitude * octave.amplitude;
+        whole += variance;
+        lost += variance * (1.0 - seen * seen);
+        octave = nextOctave(octave, 2.0, 0.5);
     }
     // The level that a given share of the noise exceeds, were it normal (its quantile, by the logistic).
     let above = field - 0.55 * sqrt(whole) * log(1.0 / clamp(coverage, 0.01, 0.99) - 1.0);

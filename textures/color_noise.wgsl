@@ -8,16 +8,7 @@
 fn colorNoise(
     at: Surface, scale: f32, octaves: u32, contrast: f32, low: vec3f, high: vec3f,
 ) -> vec3f {
-    var q = at.position * scale;
-    var width = at.footprint * scale;
-    var amplitude = 0.7;
-    var channels = vec3f(0.5);
-    for (var i = 0u; i < clamp(octaves, 1u, 12u); i++) {
-        q = OCTAVE_TURN * q + OCTAVE_SHIFT;
-        channels += amplitude * exp(-0.35 * width * width) * contrast * vectorNoise(q);
-        amplitude *= 0.5;
-        width *= 2.0;
-        q *= 2.0;
-    }
+    let noise = vectorOctaves(at.position * scale, clamp(octaves, 1u, 12u), vec3f(0.5), at.footprint * scale);
+    let channels = 0.5 + 0.7 * contrast * noise.field;
     return mix(low, high, smoothstep(vec3f(0.0), vec3f(1.0), channels));
 }

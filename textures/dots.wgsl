@@ -17,13 +17,13 @@ fn dots(
     let coarse = width / max(radius, 1e-6);
     var discs = 0.0;
     if coarse < 1.9 {
-        let n = u32(clamp(ceil(3.0 * coarse), 1.0, 4.0));
+        let n = footprintParts(coarse, 3.0);
         let part = width / f32(n);
         // The variances of the soft edge and of the footprint add.
         let fade = softness * radius;
         let edge = max(sqrt(fade * fade + part * part), 1e-20);
         for (var i = 0u; i < n * n; i++) {
-            let q = p + part * (vec2f(vec2u(i % n, i / n)) + 0.5) - 0.5 * width;
+            let q = p + footprintPart(i, n, width);
             let away = dotsDistance(q, height, staggered);
             discs += saturate(0.5 + (radius - 0.5 * fade - away) / edge) / f32(n * n);
         }

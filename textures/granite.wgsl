@@ -9,23 +9,14 @@
 fn granite(
     at: Surface, scale: f32, roughness: f32, dark: f32, feldspar: vec3f, quartz: vec3f, mica: vec3f,
 ) -> vec3f {
-    var q = at.position * scale;
-    var width = at.footprint * scale;
-    var amplitude = vec3f(1.0, 1.0, 0.3);
-    var field = vec3f(0.1, 0.0, 2.0 * dark - 1.4);
-    var lost = 0.0;
-    for (var i = 0u; i < 3u; i++) {
-        q = OCTAVE_TURN * q + OCTAVE_SHIFT;
-        let seen = exp(-0.35 * width * width);
-        field += amplitude * seen * vectorNoise(q);
-        lost += dot(amplitude, amplitude) * (1.0 - seen * seen);
-        amplitude *= vec3f(roughness, roughness, 0.9);
-        width *= 2.0;
-        q *= 2.0;
-    }
+    let gain = vec3f(roughness, roughness, 0.9);
+    let noise = vectorOctaves(at.position * scale, 3u, gain, at.footprint * scale);
+    let strength = vec3f(1.0, 1.0, 0.3);
+    let field = strength * noise.field + vec3f(0.1, 0.0, 2.0 * dark - 1.4);
+    let lost = dot(strength * strength, noise.lost);
     // The largest of the three fields has the point. What the footprint hides of them is chance, and a
     // softmax as warm as that chance is wide gives each mineral its share of the pixel.
-    let heat = 0.16 * sqrt(lost) + 1e-4;
+    let heat = 0.4 * sqrt(lost) + 1e-4;
     let weight = exp((field - max(max(field.x, field.y), field.z)) / heat);
     let tone = 1.0 + 0.12 * field.y;
     let color = feldspar * weight.x * tone + quartz * weight.y + mica * weight.z;

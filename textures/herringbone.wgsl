@@ -13,11 +13,11 @@ fn herringbone(
     let width = at.footprint * scale;
     var block = mean;
     if width < 6.0 {
-        let n = u32(clamp(ceil(4.0 * width), 1.0, 4.0));
+        let n = footprintParts(width, 4.0);
         let part = width / f32(n);
         var sum = vec2f(0.0);
         for (var i = 0u; i < n * n; i++) {
-            let q = at.uv * scale + part * (vec2f(vec2u(i % n, i / n)) + 0.5) - 0.5 * width;
+            let q = at.uv * scale + footprintPart(i, n, width);
             sum += herringboneBlock(q, max(part, 1e-20), i32(aspect), gap);
         }
         block = mix(sum / f32(n * n), mean, smoothstep(2.0, 6.0, width));

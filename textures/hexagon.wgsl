@@ -20,11 +20,11 @@ fn hexagon(
         return mean;
     }
     // Distances to edges are a good filter only while a footprint is smaller than a tile.
-    let n = u32(clamp(ceil(4.0 * width), 1.0, 4.0));
+    let n = footprintParts(width, 4.0);
     let part = width / f32(n);
     var sum = vec3f(0.0);
     for (var i = 0u; i < n * n; i++) {
-        let q = at.uv * scale + part * (vec2f(vec2u(i % n, i / n)) + 0.5) - 0.5 * width;
+        let q = at.uv * scale + footprintPart(i, n, width);
         sum += hexagonTiles(q, max(part, 1e-20), gap, palette, joint);
     }
     return mix(sum / f32(n * n), mean, smoothstep(2.0, 5.0, width));

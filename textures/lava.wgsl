@@ -11,20 +11,9 @@ fn lava(
     at: Surface, scale: f32, cracks: f32, glow: f32, roughness: f32,
     crust: vec3f, ember: vec3f, hot: vec3f,
 ) -> vec3f {
-    var q = at.position * scale;
-    var width = at.footprint * scale;
-    var amplitude = 1.0;
-    var field = vec3f(0.0);
-    var lost = 0.0;
-    for (var i = 0u; i < 4u; i++) {
-        q = OCTAVE_TURN * q + OCTAVE_SHIFT;
-        let seen = exp(-0.35 * width * width);
-        field += amplitude * seen * vectorNoise(q);
-        lost += 0.16 * amplitude * amplitude * (1.0 - seen * seen);
-        amplitude *= roughness;
-        width *= 2.0;
-        q *= 2.0;
-    }
+    let noise = vectorOctaves(at.position * scale, 4u, vec3f(roughness), at.footprint * scale);
+    let field = noise.field;
+    let lost = noise.lost.x;
     // Cracks run where a noise passes zero. What the footprint hides of it is chance, and the mean of
     // this bell over a normal chance is a wider and lower bell.
     let narrow = cracks * cracks * vec2f(1.0, glow * glow);

@@ -16,11 +16,11 @@ fn pavement(
     let width = at.footprint * scale;
     var shares = mean;
     if width < 3.0 {
-        let n = u32(clamp(ceil(4.0 * width), 1.0, 4.0));
+        let n = footprintParts(width, 4.0);
         let part = width / f32(n);
         var sum = vec2f(0.0);
         for (var i = 0u; i < n * n; i++) {
-            let q = at.uv * scale + part * (vec2f(vec2u(i % n, i / n)) + 0.5) - 0.5 * width;
+            let q = at.uv * scale + footprintPart(i, n, width);
             sum += pavementStones(q, max(part, 1e-20), corner, gap);
         }
         shares = mix(sum / f32(n * n), mean, smoothstep(1.4, 3.0, width));

@@ -8,23 +8,18 @@
 fn ridged(
     at: Surface, scale: f32, octaves: u32, lacunarity: f32, gain: f32, sharpness: f32,
 ) -> f32 {
-    var q = at.position * scale;
-    var width = at.footprint * scale;
-    var amplitude = 1.0;
+    var octave = firstOctave(at.position * scale, at.footprint * scale);
     var weight = 1.0;
     var sum = vec2f(0.0);
     // Ridged multifractal (Musgrave in Ebert et al., Texturing and Modeling, 1994): each layer is
     // weighted by the one before, so valleys stay smooth.
     for (var i = 0u; i < clamp(octaves, 1u, 16u); i++) {
-        q = OCTAVE_TURN * q + OCTAVE_SHIFT;
-        let crest = 1.0 - abs(2.0 * perlinNoise(q) - 1.0);
+        let crest = 1.0 - abs(2.0 * perlinNoise(octave.p) - 1.0);
         // The mean of a crest, and what is left of it in the mean over a box, as measured.
-        let height = weight * mix(0.44, crest * crest, 1.0 / (1.0 + 2.6 * width * width));
-        sum += amplitude * vec2f(height, 1.0);
+        let height = weight * mix(0.44, crest * crest, 1.0 / (1.0 + 2.6 * octave.width * octave.width));
+        sum += octave.amplitude * vec2f(height, 1.0);
         weight = clamp(sharpness * height, 0.0, 1.0);
-        amplitude *= gain;
-        width *= lacunarity;
-        q *= lacunarity;
+        octave = nextOctave(octave, lacunarity, gain);
     }
     return sum.x / sum.y;
 }

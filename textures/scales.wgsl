@@ -21,11 +21,11 @@ fn scales(
     let width = at.footprint * scale;
     var shares = mean;
     if width < 1.4 {
-        let n = u32(clamp(ceil(6.0 * width), 1.0, 4.0));
+        let n = footprintParts(width, 6.0);
         let part = width / f32(n);
         var sum = vec3f(0.0);
         for (var i = 0u; i < n * n; i++) {
-            let q = at.uv * scale + part * (vec2f(vec2u(i % n, i / n)) + 0.5) - 0.5 * width;
+            let q = at.uv * scale + footprintPart(i, n, width);
             sum += scalesShares(q, max(part, 1e-20), height, line, variation);
         }
         shares = mix(sum / f32(n * n), mean, smoothstep(0.7, 1.4, width));

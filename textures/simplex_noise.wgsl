@@ -4,18 +4,13 @@
 /// octaves = 1, 1 to 12: how many layers of detail
 /// gain = 0.5, 0 to 1: how strong each layer is beside the last, which is half as fine
 fn simplexNoise(at: Surface, scale: f32, octaves: u32, gain: f32) -> f32 {
-    var q = at.position * scale;
-    var width = at.footprint * scale;
-    var amplitude = 1.0;
+    var octave = firstOctave(at.position * scale, at.footprint * scale);
     var sum = vec2f(0.0);
     for (var i = 0u; i < clamp(octaves, 1u, 16u); i++) {
-        q = OCTAVE_TURN * q + OCTAVE_SHIFT;
         // What is left of an octave in the mean over a box, as measured.
-        let seen = 1.0 / (1.0 + 3.2 * width * width * width);
-        sum += amplitude * vec2f(seen * simplexNoiseOctave(q), 1.0);
-        amplitude *= gain;
-        width *= 2.0;
-        q *= 2.0;
+        let seen = 1.0 / (1.0 + 3.2 * octave.width * octave.width * octave.width);
+        sum += octave.amplitude * vec2f(seen * simplexNoiseOctave(octave.p), 1.0);
+        octave = nextOctave(octave, 2.0, gain);
     }
     return 0.5 + 0.5 * sum.x / sum.y;
 }

@@ -11,40 +11,63 @@ fn terrazzo(
     at: Surface, scale: f32, size: f32, variation: f32,
     ground: vec3f, first: vec3f, second: vec3f, third: vec3f,
 ) -> vec3f {
+    // Four places in the pixel, each for a quarter of it and in widths of that: chips hide each other
+    // place by place.
+    var x = vec4f(-0.5, 0.5, -0.5, 0.5);
+    var y = vec4f(-0.5, -0.5, 0.5, 0.5);
+    // Red, green and blue of the four.
+    var color = mat3x4f(vec4f(ground.r), vec4f(ground.g), vec4f(ground.b));
     // The smallest chips come first: larger ones lie over them.
     var p = at.uv * scale * 3.2;
     var pixel = max(at.footprint * scale * 3.2, 1e-6);
-    var color = ground;
     for (var i = 0u; i < 3u; i++) {
         p = vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y) + vec2f(3.71, 1.27);
-        // The pixel's overlap with a square as large as the chip, along d and across it. d is too short
-        // beyond a corner; the divisor takes back what that adds up to over the square.
-        let fit = 0.566 * size / pixel;
-        let most = min(fit, 1.0);
-        let even = min(fit, 1.0 / fit);
-        let gain = most / (1.0 + even * even / 3.0);
-        var chips = vec4f(0.0);
-        for (var j = 0u; j < 4u; j++) {
-            let cell = floor(p - 0.5) + vec2f(f32(j & 1u), f32(j >> 1u));
+        let turned = 0.8 * x - 0.6 * y;
+        y = 0.6 * x + 0.8 * y;
+        x = turned;
+        // The product of what five cuts leave of a blurred chip sums up to less than the chip, or to more
+        // where the blur hides it: fitted.
+        let coarse = 0.25 * pixel * pixel / (size * size);
+        let gain = (1.0 + 0.868 * coarse) / (1.0 + coarse * (0.43 + 0.06 * coarse));
+        // Chips stay in their cells. Three in a row are seen by a pixel wider than one.
+        let sharp = 2.0 / pixel;
+        let far = smoothstep(1.4, 2.2, pixel);
+        let n = select(select(2u, 3u, pixel > 1.0), 0u, far == 1.0);
+        let corner = floor(p - 0.5 * f32(n) + 0.5);
+        var chips = mat3x4f();
+        var share = vec4f(0.0);
+        for (var j = 0u; j < n * n; j++) {
+            let cell = corner + vec2f(vec2u(j % n, j / n));
             let word = pcg(cellCorners(vec3f(cell, f32(i))).near.xxxx + vec4u(0u, 1u, 2u, 3u));
             let chance = tenBits(word, 0u);
-            let cut = 0.3 + 0.1 * tenBits(word, 10u);
-            // A chip is what five straight cuts leave; d is the way to the nearest, inside negative.
-            let q = (p - cell - 0.5 - 0.14 * chance.xy) * sign(tenBits(word, 20u).xy);
-            let a = 0.309017 * q.x + vec2f(0.951057, -0.951057) * q.y;
-            let b = -0.809017 * q.x + vec2f(0.587785, -0.587785) * q.y;
-            let ways = vec4f(a, b) - size * cut;
-            let d = max(max(max(ways.x, ways.y), max(ways.z, ways.w)), q.x - size * 0.3);
-            let share = clamp(0.5 - d / pixel, 0.0, most) * gain;
+            let cut = size * (0.3 + 0.1 * tenBits(word, 10u));
+            // A chip, mirrored at random, is what five straight cuts leave.
+            let side = sign(tenBits(word, 20u).xy);
+            let q = (p - cell - 0.5 - 0.14 * chance.xy) * side;
+            let depths = 0.5 + (cut - vec4f(0.309017 * q.x + vec2f(0.951057, -0.951057) * q.y,
+                -0.809017 * q.x + vec2f(0.587785, -0.587785) * q.y)) * sharp;
+            let u = side.x * x;
+            let v = side.y * y;
+            let seen = gain * saturate(0.5 + (0.3 * size - q.x) * sharp - u)
+                * saturate(depths.x - 0.309017 * u - 0.951057 * v)
+                * saturate(depths.y - 0.309017 * u + 0.951057 * v)
+                * saturate(depths.z + 0.809017 * u - 0.587785 * v)
+                * saturate(depths.w + 0.809017 * u + 0.587785 * v);
             let pick = select(select(first, second, chance.z > -0.333), third, chance.z > 0.333);
-            chips += vec4f(min(pick * (1.0 + variation * chance.w), vec3f(1.0)), 1.0) * share;
+            let tone = min(pick * (1.0 + variation * chance.w), vec3f(1.0));
+            chips += mat3x4f(tone.r * seen, tone.g * seen, tone.b * seen);
+            share += seen;
         }
-        chips /= max(chips.w, 1.0);
-        let mean = 0.32 * size * size * vec4f((first + second + third) / 3.0, 1.0);
-        chips = mix(chips, mean, smoothstep(0.8, 1.8, pixel));
-        color = color * (1.0 - chips.w) + chips.rgb;
+        let whole = max(share, vec4f(1.0));
+        let covered = 0.323 * size * size;
+        let mean = far * covered * (first + second + third) / 3.0;
+        let near = (1.0 - far) / whole;
+        let open = 1.0 - mix(share / whole, vec4f(covered), far);
+        color[0] = color[0] * open + chips[0] * near + mean.r;
+        color[1] = color[1] * open + chips[1] * near + mean.g;
+        color[2] = color[2] * open + chips[2] * near + mean.b;
         p /= 1.8;
         pixel /= 1.8;
     }
-    return color;
+    return vec4f(0.25) * color;
 }

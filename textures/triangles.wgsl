@@ -8,37 +8,41 @@
 fn triangles(
     at: Surface, scale: f32, gap: f32, even: vec3f, odd: vec3f, joint: vec3f,
 ) -> vec3f {
-    let solid = (1.0 - 1.5 * gap) * (1.0 - 1.5 * gap);
-    let mean = vec2f(solid, 0.0);
     let width = at.footprint * scale;
-    var share = mean;
-    if width < 2.0 {
-        let n = u32(clamp(ceil(4.0 * width), 1.0, 4.0));
-        let part = width / f32(n);
-        var sum = vec2f(0.0);
-        for (var i = 0u; i < n * n; i++) {
-            let q = at.uv * scale + part * (vec2f(vec2u(i % n, i / n)) + 0.5) - 0.5 * width;
-            sum += trianglesShare(q, part, gap);
-        }
-        share = mix(sum / f32(n * n), mean, smoothstep(1.0, 2.0, width));
+    let solid = (1.0 - 1.5 * gap) * (1.0 - 1.5 * gap);
+    var shares = vec2f(0.5 * solid);
+    if width < 5.0 {
+        let soft = trianglesShares(at.uv * scale, max(width, 1e-6), gap);
+        shares = mix(soft, shares, smoothstep(2.0, 5.0, width));
     }
-    let colored = even * (share.x + share.y) + odd * (share.x - share.y);
-    return 0.5 * colored + joint * (1.0 - share.x);
+    return even * shares.x + odd * shares.y + joint * (1.0 - shares.x - shares.y);
 }
 
-/// The sum and the difference of what the two kinds of triangles cover.
-fn trianglesShare(p: vec2f, width: f32, gap: f32) -> vec2f {
-    // A triangle is where three families of stripes cross: even ones all, or one even and two odd.
-    // So the product of the families' sums is the tiles', that of their differences the kinds'.
+/// What the even triangles cover of a box `width` wide, and what the odd ones do.
+fn trianglesShares(p: vec2f, width: f32, gap: f32) -> vec2f {
     let height = 0.8660254;
-    var share = vec2f(1.0);
-    for (var i = 0; i < 3; i++) {
-        let slope = f32(i - 1);
-        let along = select(vec2f(0.8660254 * slope, 0.5), vec2f(0.0, -1.0), i == 1);
-        let stripe = dot(p, along) / height;
-        let both = dutyShare((vec2f(stripe, stripe - 1.0) - 0.5 * gap) * 0.5,
-            vec2f(0.5 * width / height), 0.5 - 0.5 * gap);
-        share *= vec2f(both.x + both.y, both.x - both.y);
+    let y = p.y / height;
+    let tall = width / height;
+    // Where in a row a kind's corners and bases begin and end.
+    let low = vec2f(0.5 * gap, gap);
+    let high = 1.0 - low.yx;
+    var shares = vec2f(0.0);
+    for (var row = ceil(y - 0.5 * tall) - 1.0; row < y + 0.5 * tall; row += 1.0) {
+        let f = y - row;
+        let below = 0.5 + (low - f) / tall;
+        let above = 0.5 + (f - high) / tall;
+        let part = max(1.0 - saturate(below) - saturate(above), vec2f(0.0));
+        // A line through a row is in closed form. The mean of two, by Gauss, stands for all of its part.
+        let first = clamp(vec2f(f - 0.5 * tall), low, high);
+        let last = clamp(vec2f(f + 0.5 * tall), low, high);
+        for (var i = 0; i < 2; i++) {
+            let place = mix(first, last, select(0.21132487, 0.78867513, i == 1));
+            let side = vec2f(1.0 - place.x, place.y) - gap;
+            // Each row begins half a side from the last.
+            let start = p.x - 0.5 * row - vec2f(0.5, 0.0) + 0.5 * side;
+            shares += 0.5 * part * vec2f(dutyShare(start.xx, vec2f(width), side.x).x,
+                dutyShare(start.yy, vec2f(width), side.y).x);
+        }
     }
-    return share;
+    return shares;
 }

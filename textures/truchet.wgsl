@@ -13,15 +13,15 @@ fn truchet(
     let mean = vec2f(0.5 - 0.5 * drawn);
     let footprint = at.footprint * scale;
     var sides = mean;
-    if footprint < 2.4 {
-        let n = u32(clamp(ceil(4.0 * footprint), 1.0, 4.0));
-        let part = footprint / f32(n);
+    if footprint < 4.5 {
+        let n = footprintParts(footprint, 4.0);
+        let part = max(footprint / f32(n), 1e-20);
         var sum = vec2f(0.0);
         for (var i = 0u; i < n * n; i++) {
-            let q = at.uv * scale + part * (vec2f(vec2u(i % n, i / n)) + 0.5) - 0.5 * footprint;
-            sum += truchetSides(q, max(part, 1e-20), 0.5 * width, seed);
+            let q = at.uv * scale + footprintPart(i, n, footprint);
+            sum += truchetSides(q, part, 0.5 * width, seed);
         }
-        sides = mix(sum / f32(n * n), mean, smoothstep(1.0, 2.4, footprint));
+        sides = mix(sum / f32(n * n), mean, smoothstep(1.5, 4.5, footprint));
     }
     return even * sides.x + odd * sides.y + line * (1.0 - sides.x - sides.y);
 }

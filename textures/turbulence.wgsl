@@ -4,21 +4,17 @@
 /// scale = 1, 0.01 to 100: eddies per scene unit
 /// octaves = 4, 1 to 12: how many layers of ever smaller eddies
 fn turbulence(at: Surface, amount: f32, scale: f32, octaves: u32) -> Surface {
-    var q = at.position * scale;
-    var width = at.footprint * scale;
-    var reach = amount;
+    var octave = firstOctave(at.position * scale, at.footprint * scale);
     var push = vec3f(0.0);
     var steepness = 0.0;
     var blur = 0.0;
     for (var i = 0u; i < clamp(octaves, 1u, 16u); i++) {
-        q = OCTAVE_TURN * q + OCTAVE_SHIFT;
-        let seen = 1.0 - smoothstep(0.25, 1.0, width);
-        push += reach * seen * vectorNoise(q);
+        let seen = 1.0 - smoothstep(0.25, 1.0, octave.width);
+        let reach = amount * octave.amplitude;
+        push += reach * seen * vectorNoise(octave.p);
         steepness += seen * seen;
         blur += reach * reach * (1.0 - seen) * (1.0 - seen);
-        reach *= 0.5;
-        width *= 2.0;
-        q *= 2.0;
+        octave = nextOctave(octave, 2.0, 0.5);
     }
     var moved = at;
     moved.position += push;

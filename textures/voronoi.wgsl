@@ -6,20 +6,37 @@
 /// metric = euclidean of euclidean, manhattan, chebyshev: round cells, or two ways to angular ones
 fn voronoi(at: Surface, scale: f32, jitter: f32, feature: u32, metric: u32) -> f32 {
     let pixel = max(at.footprint * scale, 1e-6);
-    let near = nearestCells(at.position * scale, jitter, metric, vec3f(0.0), feature == 3u);
-    // Manhattan's distances are long and Chebyshev's short: so all of them fill 0 to 1.
-    let unit = select(select(1.0, 0.67, metric == 1u), 1.2, metric == 2u);
-    // Each value with its mean, and with how soon a pixel covers enough to show only that.
-    var shown = vec3f(near.f1 * unit, 0.5, 1.2);
+    // Each value's mean, and the width from which a pixel shows only that.
+    var afar = vec2f(0.515, 6.5);
     switch feature {
-        case 1u: { shown = vec3f(near.f2 * unit, 0.7, 1.2); }
-        case 2u: { shown = vec3f((near.f2 - near.f1) * unit, 0.2, 2.8); }
-        case 3u: { shown = vec3f(2.0 * near.edge * unit, 0.26, 2.8); }
-        case 4u: {
-            let shades = 0.5 + 0.5 * tenBits(pcg(near.id.xyxy), 0u);
-            shown = vec3f(mix(shades.y, shades.x, min(0.5 + near.edge / pixel, 1.0)), 0.5, 0.45);
-        }
+        case 1u: { afar = vec2f(0.705, 6.5); }
+        case 2u: { afar = vec2f(0.19, 4.5); }
+        case 3u: { afar = vec2f(select(0.19, 0.252, metric == 0u), 4.5); }
+        case 4u: { afar = vec2f(0.5, 10.0); }
         default: {}
     }
-    return mix(shown.y, clamp(shown.x, 0.0, 1.0), 1.0 / (1.0 + shown.z * pixel * pixel));
+    let seen = 1.0 - smoothstep(0.3 * afar.y, afar.y, pixel);
+    if seen == 0.0 {
+        return afar.x;
+    }
+    // Manhattan's distances are long and Chebyshev's short: so all of them fill 0 to 1.
+    let unit = select(select(1.0, 0.67, metric == 1u), 1.2, metric == 2u);
+    let sides = flatTangents(at.normal);
+    let n = select(1u, 2u, pixel > 0.7);
+    let part = pixel / f32(n);
+    var sum = 0.0;
+    for (var i = 0u; i < n * n; i++) {
+        let p = at.position * scale + sides * footprintPart(i, n, pixel);
+        let found = nearestCells(p, 0.25 * part * sides, jitter, metric, vec3f(0.0), feature == 3u);
+        var value = found.f1 * unit;
+        switch feature {
+            case 1u: { value = found.f2 * unit; }
+            case 2u: { value = (found.f2 - found.f1) * unit; }
+            case 3u: { value = 2.0 * found.edge * unit; }
+            case 4u: { value = vec4f(cellShade(found, 0.35 * part)); }
+            default: {}
+        }
+        sum += dot(saturate(value), vec4f(0.25));
+    }
+    return mix(afar.x, sum / f32(n * n), seen);
 }

@@ -24,18 +24,13 @@ fn warpedNoise(
 }
 
 fn warpedNoiseLayers(p: vec3f, octaves: u32, footprint: f32) -> vec3f {
-    var q = p;
-    var width = footprint;
-    var amplitude = 1.0;
+    var octave = firstOctave(p, footprint);
     var sum = vec4f(0.0);
     for (var i = 0u; i < clamp(octaves, 1u, 16u); i++) {
-        q = OCTAVE_TURN * q + OCTAVE_SHIFT;
         // What is left of an octave in the mean over a box, as measured.
-        let seen = 1.0 / (1.0 + width * width * (0.25 + 0.08 * width));
-        sum += amplitude * vec4f(seen * vectorNoise(q), 1.0);
-        amplitude *= 0.5;
-        width *= 2.0;
-        q *= 2.0;
+        let seen = 1.0 / (1.0 + octave.width * octave.width * (0.25 + 0.08 * octave.width));
+        sum += octave.amplitude * vec4f(seen * vectorNoise(octave.p), 1.0);
+        octave = nextOctave(octave, 2.0, 0.5);
     }
     return sum.xyz / sum.w;
 }

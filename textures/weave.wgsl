@@ -18,11 +18,11 @@ fn weave(
     if footprint >= 2.4 {
         return mean;
     }
-    let n = u32(clamp(ceil(4.0 * footprint), 1.0, 4.0));
+    let n = footprintParts(footprint, 4.0);
     let part = footprint / f32(n);
     var sum = vec3f(0.0);
     for (var i = 0u; i < n * n; i++) {
-        let q = at.uv * scale + part * (vec2f(vec2u(i % n, i / n)) + 0.5) - 0.5 * footprint;
+        let q = at.uv * scale + footprintPart(i, n, footprint);
         let lit = weaveStrands(q, part, width, shading);
         sum += warp * lit.x + weft * lit.y + ground * lit.z;
     }
