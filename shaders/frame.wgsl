@@ -24,6 +24,8 @@ struct Frame {
     sample: u32,
     /// Which of the debug views to draw: the VIEW_ constants.
     view: u32,
+    /// Bodies that cast shadows.
+    casters: u32,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

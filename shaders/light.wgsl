@@ -67,6 +67,8 @@ fn visibleShare(light: Light, origin: vec3f) -> f32 {
     // Another turn of the points in each pixel. Its angles are not quite even, which nobody sees.
     let turn = vec2f(f32(seed & 0xffffu), f32(seed >> 16u)) / 65536.0;
     var spoke = normalize(turn - 0.5 + 1e-6);
+    // Each ray asks them all, or stops at one; to count that would cost too much.
+    work += n * frame.casters;
     var open = 0.0;
     for (var i = 0u; i < n; i++) {
         // A sunflower's seeds on the disk (Vogel, 1979), the R2 sequence on the parallelogram

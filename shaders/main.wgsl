@@ -29,7 +29,7 @@ fn tracePixel(covered: Covered) -> @location(0) vec4f {
     let at = vec2u(pixel);
     seed = hashed(at.x + hashed(at.y + hashed(frame.sample)));
     let now = viewed(traceTree(frame.eye, direction));
-    // Depth and object are the first sample's, through the pixel's centre: a mean of them means nothing.
+    // The depth is the first sample's, through the pixel's centre: a mean of depths means nothing.
     let before = textureLoad(accumulated, at, 0);
     let mean = vec4f(mix(before.rgb, now.rgb, 1.0 / f32(frame.sample + 1u)), before.a);
     return select(mean, now, frame.sample == 0u);

@@ -45,6 +45,7 @@ fn marchFrom(ray: Ray, bounds: Bounds) -> March {
 
 /// Takes the distance at `march.t`; whether another one is wanted.
 fn marches(march: ptr<function, March>, distance: f32) -> bool {
+    work++;
     let t = (*march).t;
     if (*march).side == 0.0 {
         (*march).side = select(-1.0, 1.0, distance >= 0.0);

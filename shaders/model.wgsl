@@ -50,11 +50,13 @@ fn modelCrossing(ray: Ray, model: Model) -> f32 {
         let leaves = 1.0000004 * min(min(far.x, far.y), far.z);
         let triangles = high.w & 0xffu;
         let meets = enters <= min(leaves, min(found, ray.t_max));
+        work++;
         if meets && triangles == 0u {
             box = low.w + CHILD_TEXELS * ((high.w >> (8u + octant)) & 1u);
             continue;
         }
         if meets {
+            work += triangles;
             for (var i = 0u; i < triangles; i++) {
                 let corner = low.w + TRIANGLE_TEXELS * i;
                 let t = crossedTriangle(

@@ -37,9 +37,13 @@ struct Hit {
 /// No object: the ray leaves the scene.
 const NO_OBJECT: u32 = 0xffffffffu;
 
+/// What the pixel's rays have cost so far: tests of shapes, boxes and triangles of models, steps of marches.
+var<private> work: u32;
+
 /// The nearer of `hit` and a crossing of `object` at `t`. Where two surfaces coincide, the first object of
 /// the scene has it: rounding must not speckle them.
 fn nearer(hit: Hit, t: f32, object: u32) -> Hit {
+    work++;
     if t < hit.t * 0.999996 {
         return Hit(t, object);
     }

@@ -15,6 +15,7 @@ struct Crossing {
 }
 
 fn crossing(ray: Ray, t: f32, object: u32, normal: vec3f) -> Crossing {
+    work++;
     return Crossing(t, object, t < NO_HIT && dot(normal, ray.direction) > 0.0);
 }
 

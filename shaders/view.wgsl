@@ -21,6 +21,18 @@ const VIEW_OBJECT: u32 = 5u;
 const VIEW_MATERIAL: u32 = 6u;
 const VIEW_BOUNCES: u32 = 7u;
 const VIEW_SHADOW: u32 = 8u;
+const VIEW_NAN: u32 = 9u;
+const VIEW_COST: u32 = 10u;
+const VIEW_FACING: u32 = 11u;
+const VIEW_PLACE: u32 = 12u;
+const VIEW_OUTWARD: u32 = 13u;
+
+/// What VIEW_NAN marks broken light with, and the faces' colors of VIEW_FACING.
+const BROKEN: vec3f = vec3f(1.0, 0.0, 1.0);
+const FRONT: vec3f = vec3f(0.25, 0.55, 0.9);
+const BACK: vec3f = vec3f(0.95, 0.35, 0.1);
+/// VIEW_COST is at the end of its colors after so many doublings of 1.
+const MOST_DOUBLINGS: f32 = 16.0;
 
 /// A color for each number, far from its neighbours' in hue (steps of the golden angle).
 fn falseColor(index: u32) -> vec3f {
@@ -30,19 +42,38 @@ fn falseColor(index: u32) -> vec3f {
     return mix(vec3f(0.35), wheel, 0.75);
 }
 
-/// What the views of a surface show of the first one that a pixel meets; `n` faces the viewer.
-fn surfaceView(at: Surface, n: vec3f, albedo: vec3f, visibility: f32) -> vec3f {
+/// A color for a number from 0 to 1, brighter for more: a quarter each to violet, red, orange, pale yellow.
+fn heatColor(x: f32) -> vec3f {
+    let quarters = clamp(vec4f(4.0 * x) - vec4f(0.0, 1.0, 2.0, 3.0), vec4f(0.0), vec4f(1.0));
+    var color = vec3f(0.34, 0.06, 0.43) * quarters.x;
+    color = mix(color, vec3f(0.73, 0.21, 0.33), quarters.y);
+    color = mix(color, vec3f(0.98, 0.56, 0.04), quarters.z);
+    return mix(color, vec3f(0.99, 1.0, 0.64), quarters.w);
+}
+
+/// Whether a channel is infinite or no number. Its bits tell: a driver may take it that no comparison meets
+/// either.
+fn isBroken(color: vec3f) -> bool {
+    let exponent = vec3u(0x7f800000u);
+    return any((bitcast<vec3u>(color) & exponent) == exponent);
+}
+
+/// What the views of a surface show of the first one that a pixel meets; `n` faces the viewer along `v`.
+fn surfaceView(met: Placed, n: vec3f, v: vec3f, albedo: vec3f, visibility: f32) -> vec3f {
     switch frame.view + zero {
         case VIEW_NORMAL: { return 0.5 + 0.5 * n; }
-        case VIEW_POSITION: { return fract(at.world); }
-        case VIEW_UV: { return vec3f(fract(at.uv), 0.0); }
+        case VIEW_POSITION: { return fract(met.at.world); }
+        case VIEW_UV: { return vec3f(fract(met.at.uv), 0.0); }
         case VIEW_MATERIAL: { return albedo; }
         case VIEW_SHADOW: { return vec3f(visibility); }
+        case VIEW_FACING: { return select(FRONT, BACK, dot(met.facet, v) < 0.0) * (0.3 + 0.7 * dot(n, v)); }
+        case VIEW_PLACE: { return vec3f(met.at.uv, 0.0); }
+        case VIEW_OUTWARD: { return met.normal; }
         default: { return vec3f(0.0); }
     }
 }
 
-/// The picture's value of the chosen view: a color, and with VIEW_OBJECT the object's index, else the depth.
+/// The picture's value of the chosen view, and the depth.
 fn viewed(seen: Seen) -> vec4f {
     let met = seen.object != NO_OBJECT;
     switch frame.view + zero {
@@ -50,12 +81,19 @@ fn viewed(seen: Seen) -> vec4f {
         case VIEW_DEPTH: {
             return vec4f(vec3f(select(0.0, 1.0, met) / (1.0 + 0.1 * max(seen.depth, 0.0))), seen.depth);
         }
-        case VIEW_OBJECT: {
-            return select(vec4f(vec3f(0.0), -1.0), vec4f(falseColor(seen.object), f32(seen.object)), met);
-        }
+        case VIEW_OBJECT: { return vec4f(select(vec3f(0.0), falseColor(seen.object), met), seen.depth); }
         case VIEW_BOUNCES: {
             return vec4f(vec3f(f32(seen.bounces) / f32(max(frame.max_bounces, 1u))), seen.depth);
         }
+        case VIEW_NAN: {
+            let light = max(luminance(seen.radiance), 0.0);
+            let dim = vec3f(0.4 * sqrt(light / (1.0 + light)));
+            return vec4f(select(dim, BROKEN, isBroken(seen.radiance)), seen.depth);
+        }
+        case VIEW_COST: {
+            return vec4f(heatColor(min(log2(f32(max(work, 1u))) / MOST_DOUBLINGS, 1.0)), seen.depth);
+        }
+        case VIEW_PLACE: { return vec4f(seen.value.xy, f32(seen.object), seen.depth); }
         default: { return vec4f(seen.value, seen.depth); }
     }
 }

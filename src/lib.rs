@@ -31,6 +31,7 @@ pub mod module;
 pub mod outline;
 pub mod scene;
 pub mod sources;
+mod stage;
 pub mod suite;
 pub mod watch;
 pub mod wgsl;
@@ -62,10 +63,28 @@ impl Compiled {
     /// # Errors
     /// Where naga refuses that text although it took the other, which would be a mistake of ours.
     pub fn in_mode(&self, mode: Mode) -> Result<Self, Diagnostic> {
-        let source = wgsl::generate(&self.scene, mode);
+        self.with_scene(self.scene.clone(), mode)
+    }
+
+    /// The same scene in which only the body that has this one of its objects is seen and casts a shadow.
+    /// Lights, camera and background stay, and so do all indices.
+    ///
+    /// # Errors
+    /// Where naga refuses that text although it took the whole scene's, which would be a mistake of ours.
+    pub fn isolated(&self, object: usize) -> Result<Self, Diagnostic> {
+        let mut scene = self.scene.clone();
+        for body in &mut scene.bodies {
+            let is_chosen = body.solid.has(object);
+            body.visible = is_chosen;
+            body.casts_shadow = is_chosen;
+        }
+        self.with_scene(scene, self.source.mode)
+    }
+
+    fn with_scene(&self, scene: ir::Scene, mode: Mode) -> Result<Self, Diagnostic> {
+        let source = wgsl::generate(&scene, mode);
         let module = on_deep_stack(|| module::validate(&source))?;
-        let (text, scene) = (self.text.clone(), self.scene.clone());
-        Ok(Self { text, scene, source, module, times: self.times })
+        Ok(Self { text: self.text.clone(), scene, source, module, times: self.times })
     }
 
     /// The same scene with the entry points by which a [`gpu::Probe`] asks it.

@@ -4,7 +4,7 @@ mod common;
 mod reference;
 
 use common::{expect_compiled, expect_none, outcome_of, picture, read};
-use raytoy::gpu::{Gpu, View};
+use raytoy::gpu::{Gpu, Identity, Moment, Pipeline, View};
 use raytoy::wgsl::Mode;
 
 /// The share of pixels that must agree; edges that round the other way, and what mirrors make of them, may not.
@@ -57,13 +57,16 @@ fn check(gpu: &Gpu, name: &str, text: &str, size: [u32; 2]) -> Vec<String> {
         .unwrap_or_else(|why| panic!("{name}: {why}\n{text}"));
     let compiled = expect_compiled(outcome_of("scene.ron", text, Mode::Baked));
     let actual = picture(gpu, &compiled, size, View::Color);
-    let objects = picture(gpu, &compiled, size, View::Object).depth;
+    let pipeline = Pipeline::build(gpu, &compiled).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let moment = Moment::of(&compiled.scene);
+    let seen = Identity::draw(gpu, &pipeline, &moment, &compiled.scene.render, size);
+    let seen = seen.unwrap_or_else(|e| panic!("{name}: {e}"));
 
     let channel = |a: u8, b: f64| (f64::from(a) - (b * 255.0).round()).abs() <= COLOR_TOLERANCE;
     let color = |i: usize| (0..3).all(|c| channel(actual.rgba[4 * i + c], expected.display[i][c]));
-    let same_object = |i: usize| match objects[i].is_finite() {
-        true => objects[i] as i64 == expected.object[i],
-        false => expected.object[i] == -1,
+    let same_object = |i: usize| {
+        let (x, y) = (i as u32 % size[0], i as u32 / size[0]);
+        seen.object(x, y).map_or(-1, i64::from) == expected.object[i]
     };
     let depth = |i: usize| {
         let (a, b) = (f64::from(actual.depth[i]), expected.depth[i]);

@@ -7,7 +7,7 @@ use raytoy::library::{Family, Library};
 use raytoy::sources::Sources;
 
 /// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
-const IMPORTS: [(&str, &[&str]); 19] = [
+const IMPORTS: [(&str, &[&str]); 20] = [
     ("diagnostic", &[]),
     ("sources", &["diagnostic"]),
     ("scene", &["diagnostic"]),
@@ -20,6 +20,7 @@ const IMPORTS: [(&str, &[&str]); 19] = [
     ("module", &["wgsl", "diagnostic"]),
     ("gpu", &["ir", "wgsl", "library", "Compiled", "on_deep_stack"]),
     ("capture", &["gpu", "Compiled"]),
+    ("stage", &["diagnostic", "sources", "Compiled", "compile"]),
     ("watch", &["sources"]),
     ("judge", &[]),
     ("laws", &["diagnostic", "gpu", "library", "sources", "wgsl", "Compiled", "compile"]),

@@ -5,7 +5,7 @@ use std::io::Cursor;
 use image::{ImageFormat, RgbImage};
 
 use super::{CaptureError, Origin};
-use crate::gpu::Picture;
+use crate::gpu::{Identity, Picture};
 
 /// The picture as a screen shows it, with what it was made of as text chunks.
 pub(super) fn png(picture: &Picture, origin: &Origin) -> Result<Vec<u8>, CaptureError> {
@@ -39,15 +39,16 @@ pub fn jpeg(picture: &Picture) -> Result<Vec<u8>, CaptureError> {
 
 /// R, G and B are linear light before exposure; Z is the distance, infinite where the ray leaves the scene;
 /// `object` is the index in the scene's list, -1 for none.
-pub(super) fn exr(picture: &Picture, objects: &Picture) -> Result<Vec<u8>, CaptureError> {
+pub(super) fn exr(picture: &Picture, seen: &Identity) -> Result<Vec<u8>, CaptureError> {
     use exr::prelude::{
         AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, SmallVec,
         WritableImage,
     };
     let channel = |name: &str, values: Vec<f32>| AnyChannel::new(name, FlatSamples::F32(values));
     let light = |i: usize| picture.radiance.iter().map(|texel| texel[i]).collect();
-    // In this view the place of the depth holds the index, and misses are infinite.
-    let index = objects.depth.iter().map(|d| if d.is_finite() { *d } else { -1.0 }).collect();
+    let [width, height] = picture.size;
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let index = pixels.map(|(x, y)| seen.object(x, y).map_or(-1.0, |object| object as f32)).collect();
     let channels = AnyChannels::sort(SmallVec::from_vec(vec![
         channel("R", light(0)),
         channel("G", light(1)),

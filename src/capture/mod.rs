@@ -20,7 +20,7 @@ pub use movie::{MovieFormat, movie};
 pub use origin::Origin;
 
 use crate::Compiled;
-use crate::gpu::{Gpu, GpuError, Moment, Picture, PictureTimes, Renderer, View};
+use crate::gpu::{Gpu, GpuError, Moment, Picture, PictureTimes, Renderer};
 
 /// What to take a picture of, and how.
 #[derive(Clone, Copy, Debug)]
@@ -115,12 +115,8 @@ impl Shot<'_> {
                 (picture, bytes)
             }
             Format::Exr => {
-                // One more sample tells which object is where.
-                let share = self.samples as f32 / (self.samples as f32 + 1.0);
-                let picture = self.picture(renderer, &mut |done| progress(done * share))?;
-                let seen = Self { moment: Moment { view: View::Object, ..self.moment }, samples: 1, ..*self };
-                let objects = seen.picture(renderer, &mut |done| progress(share + done * (1.0 - share)))?;
-                let bytes = encode::exr(&picture, &objects)?;
+                let picture = self.picture(renderer, progress)?;
+                let bytes = encode::exr(&picture, &renderer.identity(&self.moment)?)?;
                 (picture, bytes)
             }
         };

@@ -120,7 +120,7 @@ pub struct RenderOptions {
     /// Frames a second
     #[arg(long, value_name = "N", default_value_t = 30.0, requires = "frames", value_parser = rate)]
     pub fps: f64,
-    /// color, normal, depth, position, uv, object, material, bounces or shadow
+    /// color, normal, depth, position, uv, object, material, bounces, shadow, nan, cost or facing
     #[arg(long, value_name = "NAME", default_value = "color", value_parser = view)]
     pub view: View,
     /// Read the scene's numbers from a uniform buffer, as the window does, instead of writing them out

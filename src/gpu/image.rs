@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use super::{Display, Gpu, GpuError, Moment, Pipeline, Target, Tracer, View, sample_offset};
+use super::slices::{Slices, Subject};
+use super::{Display, Gpu, GpuError, Identity, Moment, Pipeline, Target, Tracer, View, sample_offset};
 use crate::{Compiled, ir};
 
 /// A finished picture, by rows from the top.
@@ -29,9 +30,6 @@ pub struct PictureTimes {
     /// The mean of the other samples, or the first one drawn again.
     pub frame: Duration,
 }
-
-/// A submit that keeps the GPU for longer than this is cut into shorter ones.
-const SLICE: Duration = Duration::from_millis(100);
 
 /// Draws `samples` samples a pixel. `progress` is told the share done, 0 to 1.
 ///
@@ -59,14 +57,12 @@ pub struct Renderer {
     gpu: Gpu,
     pipeline: Pipeline,
     tracer: Tracer,
+    slices: Slices,
     display: Display,
     canvas: wgpu::Texture,
     options: ir::Render,
     /// What the next picture tells of the pipeline.
     pipeline_time: Duration,
-    rows_at_once: u32,
-    /// Whether the first slice, in which a software driver compiles, has been drawn.
-    is_warm: bool,
 }
 
 impl Renderer {
@@ -77,20 +73,12 @@ impl Renderer {
         let pipeline = Pipeline::build(gpu, compiled)?;
         let pipeline_time = start.elapsed();
         let tracer = Tracer::new(gpu, size)?;
+        let slices = Slices::new(size[1]);
         let format = wgpu::TextureFormat::Rgba8Unorm;
         let display = Display::new(gpu, format);
         let canvas = display.canvas(tracer.picture(), format);
-        Ok(Self {
-            gpu: gpu.clone(),
-            pipeline,
-            tracer,
-            display,
-            canvas,
-            options: compiled.scene.render,
-            pipeline_time,
-            rows_at_once: (size[1] / 16).max(1),
-            is_warm: false,
-        })
+        let (gpu, options) = (gpu.clone(), compiled.scene.render);
+        Ok(Self { gpu, pipeline, tracer, slices, display, canvas, options, pipeline_time })
     }
 
     /// Goes on with a scene that has the same text and other numbers.
@@ -113,18 +101,15 @@ impl Renderer {
         let mut times =
             PictureTimes { pipeline: std::mem::take(&mut self.pipeline_time), ..Default::default() };
         self.tracer.restart();
-        let height = self.tracer.size()[1];
         let mut after_first = Duration::ZERO;
         for sample in 0..samples {
             let begun = Instant::now();
-            let mut row = 0;
-            while row < height {
-                row = self.draw_slice(moment, sample_offset(sample, samples), row)?;
-                if progress((sample as f32 + row as f32 / height as f32) / samples as f32).is_break() {
-                    return Ok(None);
-                }
+            let subject = Subject { gpu: &self.gpu, pipeline: &self.pipeline, render: &self.options, moment };
+            let mut tell = |share| progress((sample as f32 + share) / samples as f32);
+            let jitter = sample_offset(sample, samples);
+            if self.slices.draw(&mut self.tracer, subject, jitter, &mut tell)?.is_break() {
+                return Ok(None);
             }
-            self.tracer.next();
             if sample == 0 {
                 times.first_frame = begun.elapsed();
             } else {
@@ -135,17 +120,12 @@ impl Renderer {
         self.read(moment.view, times).map(Some)
     }
 
-    /// Draws some rows of a sample, from `row`; returns the row after them.
-    fn draw_slice(&mut self, moment: &Moment, jitter: [f32; 2], row: u32) -> Result<u32, GpuError> {
-        let begun = Instant::now();
-        let end = (row + self.rows_at_once).min(self.tracer.size()[1]);
-        self.tracer.draw(&self.pipeline, moment, &self.options, jitter, row..end);
-        self.gpu.wait()?;
-        if self.is_warm {
-            self.rows_at_once = next_slice(end - row, begun.elapsed());
-        }
-        self.is_warm = true;
-        Ok(end)
+    /// What lies under each pixel of such a picture.
+    ///
+    /// # Errors
+    /// Where the driver stops to answer.
+    pub fn identity(&self, moment: &Moment) -> Result<Identity, GpuError> {
+        Identity::draw(&self.gpu, &self.pipeline, moment, &self.options, self.tracer.size())
     }
 
     fn read(&self, view: View, times: PictureTimes) -> Result<Picture, GpuError> {
@@ -164,10 +144,4 @@ impl Renderer {
             times,
         })
     }
-}
-
-/// The rows that fit into [`SLICE`] where `rows` took `time`.
-fn next_slice(rows: u32, time: Duration) -> u32 {
-    let fitting = f64::from(rows) * SLICE.as_secs_f64() / time.as_secs_f64().max(1e-6);
-    (fitting as u32).clamp(1, rows.saturating_mul(4))
 }

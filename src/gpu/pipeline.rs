@@ -18,6 +18,8 @@ pub struct Pipeline {
     pub(super) layout: wgpu::BindGroupLayout,
     pub(super) numbers: Option<wgpu::Buffer>,
     pub(super) assets: Option<Assets>,
+    /// Bodies of the scene that cast shadows: they are text, so an upload does not change them.
+    pub(super) casters: u32,
 }
 
 impl Pipeline {
@@ -140,5 +142,6 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
         ["coverPicture", "tracePixel"],
         FORMAT,
     );
-    Pipeline { pipeline, layout, numbers, assets }
+    let casters = compiled.scene.bodies.iter().filter(|body| body.casts_shadow).count() as u32;
+    Pipeline { pipeline, layout, numbers, assets, casters }
 }

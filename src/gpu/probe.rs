@@ -82,7 +82,7 @@ impl Probe {
         check_models(gpu, &compiled.scene)?;
         Kernel::check(gpu)?;
         let probed = compiled.probed().map_err(|problem| GpuError::Refused(problem.message))?;
-        let frame = Frame::new(moment, &compiled.scene.render, size, 0, [0.0; 2]);
+        let frame = Frame::new(moment, &compiled.scene.render, 0, size, 0, [0.0; 2]);
         checked(gpu, || {
             let device = &gpu.device;
             let module = pipeline::shader_module(gpu, &probed);

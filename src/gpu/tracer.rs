@@ -78,7 +78,7 @@ impl Tracer {
         rows: Range<u32>,
     ) {
         let Gpu { device, queue, .. } = &self.gpu;
-        let frame = Frame::new(moment, render, self.size(), self.samples, jitter);
+        let frame = Frame::new(moment, render, pipeline.casters, self.size(), self.samples, jitter);
         queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&frame));
         let target = &self.textures[self.samples as usize % 2];
         let (before, target) =

@@ -1,8 +1,8 @@
 //! What one picture differs by from the next, as the bytes that shaders/frame.wgsl declares.
 
 use bytemuck::{Pod, Zeroable};
-use glam::Vec3;
 
+use super::lens::Lens;
 use crate::ir;
 
 /// What a picture shows. The numbers are those of shaders/view.wgsl.
@@ -27,11 +27,21 @@ pub enum View {
     Bounces,
     /// Unblocked share of the lights.
     Shadow,
+    /// Light that is infinite or no number in magenta, on a dim grey picture.
+    Nan,
+    /// Work of all rays on a scale of doublings: black is 1, pale yellow 65536.
+    Cost,
+    /// Outsides of surfaces in blue, insides in orange.
+    Facing,
+    /// Surface coordinates as they are, and the object's index. For [`super::Identity`].
+    Place,
+    /// World normals as they are, outward and without bumps. For [`super::Identity`].
+    Outward,
 }
 
 impl View {
-    /// All of them, with the names by which they are asked for.
-    pub const ALL: [(&str, View); 9] = [
+    /// Those to look at, with the names by which they are asked for.
+    pub const ALL: [(&str, View); 12] = [
         ("color", View::Color),
         ("normal", View::Normal),
         ("depth", View::Depth),
@@ -41,6 +51,9 @@ impl View {
         ("material", View::Material),
         ("bounces", View::Bounces),
         ("shadow", View::Shadow),
+        ("nan", View::Nan),
+        ("cost", View::Cost),
+        ("facing", View::Facing),
     ];
 
     /// The name by which it is asked for.
@@ -84,31 +97,37 @@ pub(super) struct Frame {
     jitter: [f32; 2],
     sample: u32,
     view: u32,
+    casters: u32,
+    padding: [u32; 3],
 }
 
 impl Frame {
-    /// The camera rays of LANGUAGE.md: forward, right, true up.
-    pub fn new(moment: &Moment, render: &ir::Render, size: [u32; 2], sample: u32, jitter: [f32; 2]) -> Self {
-        let camera = moment.camera;
-        let forward = (camera.target - camera.eye).normalize_or(Vec3::NEG_Z);
-        let right = forward.cross(camera.up).normalize_or(Vec3::X);
-        let up = right.cross(forward);
-        let half = (camera.fov / 2.0).tan();
-        let resolution = size.map(|n| n as f32);
+    /// `casters` is how many bodies of the scene cast shadows.
+    pub fn new(
+        moment: &Moment,
+        render: &ir::Render,
+        casters: u32,
+        size: [u32; 2],
+        sample: u32,
+        jitter: [f32; 2],
+    ) -> Self {
+        let Lens { eye, forward, right, up, half, size: resolution } = Lens::new(&moment.camera, size);
         Self {
-            eye: camera.eye.into(),
+            eye: eye.into(),
             time: moment.time,
             right: (right * half).into(),
-            pixel_spread: if render.texture_filter { 2.0 * half / resolution[1] } else { 0.0 },
+            pixel_spread: if render.texture_filter { 2.0 * half / resolution.y } else { 0.0 },
             up: (up * half).into(),
             max_bounces: render.max_bounces,
             forward: forward.into(),
             shadow_samples: if render.shadows { render.shadow_samples } else { 0 },
-            resolution,
+            resolution: resolution.into(),
             mouse: moment.mouse,
             jitter,
             sample,
             view: moment.view as u32,
+            casters,
+            padding: [0; 3],
         }
     }
 }

@@ -3,12 +3,15 @@
 //! In: what `resolve` makes of a [`crate::scene::Value`]. Out: what `wgsl` writes and `gpu` uploads.
 
 pub mod fields;
+mod light;
+mod parts;
 mod resolve;
 
 use std::sync::Arc;
 
 use glam::Vec3;
 
+pub use light::{Light, LightKind};
 pub use resolve::{default_name, resolve};
 
 use crate::library::{Const, Function, Image, Model, Type};
@@ -208,43 +211,6 @@ pub enum Operation {
     Intersection,
     /// What is in the first part and in no other.
     Difference,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-pub struct Light {
-    /// The author's words, on one line.
-    pub caption: String,
-    pub kind: LightKind,
-    /// Color · intensity.
-    pub emitted: Vec3,
-    /// Weaker by the square of the distance.
-    pub inverse_square: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum LightKind {
-    Point {
-        position: Vec3,
-        radius: f32,
-    },
-    /// `spread` is the tangent of half the angle under which it is seen.
-    Directional {
-        direction: Vec3,
-        spread: f32,
-    },
-    /// `inner` and `outer` are cosines.
-    Spot {
-        position: Vec3,
-        radius: f32,
-        axis: Vec3,
-        inner: f32,
-        outer: f32,
-    },
-    Rect {
-        corner: Vec3,
-        u: Vec3,
-        v: Vec3,
-    },
 }
 
 /// How the picture is made. All of it is data: none of it changes the shader.

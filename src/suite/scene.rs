@@ -4,12 +4,12 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use image::RgbImage;
+use image::{Rgb, RgbImage};
 
 use super::goldens::{png, read_picture, read_text, write};
 use super::settings::{Settings, settings_for};
 use super::{Case, Failure, Goldens, Outcome, PictureFailure, TextDifference};
-use crate::gpu::{Gpu, GpuError, Moment, Picture, Renderer, View};
+use crate::gpu::{Gpu, GpuError, Identity, Moment, Picture, Renderer};
 use crate::judge::{change, judge};
 use crate::sources::Sources;
 use crate::wgsl::Mode;
@@ -98,8 +98,9 @@ impl Test<'_> {
 
     fn compare_picture(&mut self, compiled: &Compiled, settings: &Settings) -> Result<(), GpuError> {
         let mut renderer = Renderer::new(self.gpu, compiled, settings.size)?;
-        let actual = draw(&mut renderer, compiled, settings, View::Color, settings.samples)?;
-        let actual = rgb(&actual);
+        let moment = Moment { time: settings.time, ..Moment::of(&compiled.scene) };
+        let actual = renderer.draw(&moment, settings.samples, &mut |_| ControlFlow::Continue(()))?;
+        let actual = rgb(&actual.expect("nobody stops it"));
         let [path, target] = self.bench.goldens.pictures(self.case);
         let golden = match read_picture(&path) {
             Ok(golden) => golden,
@@ -121,7 +122,7 @@ impl Test<'_> {
                 }
                 let tolerance = settings.limits.tolerance;
                 let change = change(&expected, &actual, tolerance);
-                let seen = draw(&mut renderer, compiled, settings, View::Object, 1)?;
+                let seen = renderer.identity(&moment)?;
                 let objects = objects(compiled, &seen, [&expected, &actual], tolerance);
                 let actual = actual.clone();
                 Failure::Picture(Box::new(PictureFailure {
@@ -183,19 +184,18 @@ pub fn rgb(picture: &Picture) -> RgbImage {
 /// pixels: at least a tenth of them.
 fn objects(
     compiled: &Compiled,
-    seen: &Picture,
+    seen: &Identity,
     [expected, actual]: [&RgbImage; 2],
     tolerance: u8,
 ) -> Vec<(String, f64)> {
-    let pairs = expected.pixels().zip(actual.pixels());
-    let off = |(a, b): (&image::Rgb<u8>, &image::Rgb<u8>)| {
-        a.0.iter().zip(b.0).any(|(x, y)| x.abs_diff(y) > tolerance)
-    };
-    // In this view the place of the depth holds the index, and misses are infinite.
-    let differing: Vec<f32> =
-        pairs.zip(&seen.depth).filter(|(pair, _)| off(*pair)).map(|(_, index)| *index).collect();
+    let pixels = expected.enumerate_pixels().zip(actual.pixels());
+    let is_off = |a: &Rgb<u8>, b: &Rgb<u8>| a.0.iter().zip(b.0).any(|(x, y)| x.abs_diff(y) > tolerance);
+    let differing: Vec<Option<u32>> = pixels
+        .filter(|((_, _, before), now)| is_off(before, now))
+        .map(|((x, y, _), _)| seen.object(x, y))
+        .collect();
     let share = |i: usize| {
-        let count = differing.iter().filter(|index| **index == i as f32).count();
+        let count = differing.iter().filter(|object| **object == Some(i as u32)).count();
         count as f64 / differing.len().max(1) as f64
     };
     let names = compiled.scene.objects.iter().enumerate().map(|(i, object)| (object.name.clone(), share(i)));
@@ -215,16 +215,4 @@ impl Outcome {
             time: Default::default(),
         }
     }
-}
-
-fn draw(
-    renderer: &mut Renderer,
-    compiled: &Compiled,
-    settings: &Settings,
-    view: View,
-    samples: u32,
-) -> Result<Picture, GpuError> {
-    let moment = Moment { view, time: settings.time, ..Moment::of(&compiled.scene) };
-    let picture = renderer.draw(&moment, samples, &mut |_| ControlFlow::Continue(()))?;
-    Ok(picture.expect("nobody stops it"))
 }

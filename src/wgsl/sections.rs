@@ -10,7 +10,7 @@ const CORE: [&str; 10] =
     ["main", "view", "trace", "look", "shading", "light", "material", "space", "ray", "frame"];
 
 /// Files in shaders/ that are no part of a picture's shader.
-const APART: [&str; 2] = ["display", "probe"];
+const APART: [&str; 3] = ["display", "lines", "probe"];
 const PROBE: &str = "shaders/probe.wgsl";
 
 /// The sections that the scene's own text and the functions that it uses stand on.

@@ -1,0 +1,121 @@
+//! What lies under each pixel of a picture: the object, the point, and the surface there.
+//!
+//! In: a scene's pipeline and the moment of a picture. Out: [`Identity`], which answers without the GPU.
+
+use std::ops::ControlFlow;
+
+use glam::{Vec2, Vec3, uvec2};
+
+use super::lens::Lens;
+use super::slices::{Slices, Subject};
+use super::{Gpu, GpuError, Moment, Pipeline, Tracer, View};
+use crate::ir;
+
+/// The first surface along the ray through the middle of each pixel.
+#[derive(Clone, Debug)]
+pub struct Identity {
+    size: [u32; 2],
+    lens: Lens,
+    /// By rows from the top: u, v, object, distance.
+    places: Vec<[f32; 4]>,
+    /// The same: a normal, and the distance again.
+    normals: Vec<[f32; 4]>,
+}
+
+/// A point of a surface as the camera sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// Its place among the scene's objects.
+    pub object: u32,
+    /// From the eye, scene units.
+    pub distance: f32,
+    /// In world space.
+    pub position: Vec3,
+    /// Outward, length 1, in world space, without bumps.
+    pub normal: Vec3,
+    /// As textures get it, and not only its fraction.
+    pub uv: Vec2,
+}
+
+impl Identity {
+    /// Draws twice with the scene's own pipeline, which casts no shadow and follows no mirror for it.
+    ///
+    /// `render` is that of the scene, and the view of `moment` does not matter.
+    ///
+    /// # Errors
+    /// Where the GPU has no texture of `size`, or stops to answer.
+    pub fn draw(
+        gpu: &Gpu,
+        pipeline: &Pipeline,
+        moment: &Moment,
+        render: &ir::Render,
+        size: [u32; 2],
+    ) -> Result<Self, GpuError> {
+        let bare = ir::Render { max_bounces: 0, shadows: false, texture_filter: false, ..*render };
+        let mut tracer = Tracer::new(gpu, size)?;
+        let mut slices = Slices::new(size[1]);
+        let mut values = |view| {
+            tracer.restart();
+            let moment = Moment { view, ..*moment };
+            let subject = Subject { gpu, pipeline, render: &bare, moment: &moment };
+            let _ = slices.draw(&mut tracer, subject, [0.0; 2], &mut |_| ControlFlow::Continue(()))?;
+            let bytes = gpu.read_texture(tracer.picture(), 16)?;
+            Ok(bytemuck::pod_collect_to_vec(&bytes))
+        };
+        let (places, normals) = (values(View::Place)?, values(View::Outward)?);
+        Ok(Self { size, lens: Lens::new(&moment.camera, size), places, normals })
+    }
+
+    /// Width and height, pixels.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// What lies under the pixel `x` from the left and `y` from the top; None for the background, and outside
+    /// the picture.
+    pub fn at(&self, x: u32, y: u32) -> Option<Seen> {
+        let object = self.object(x, y)?;
+        let [u, v, _, distance] = self.places[self.index(x, y)];
+        let [nx, ny, nz, _] = self.normals[self.index(x, y)];
+        let direction = self.lens.direction(uvec2(x, y).as_vec2() + 0.5);
+        Some(Seen {
+            object,
+            distance,
+            position: self.lens.eye + distance * direction,
+            normal: Vec3::new(nx, ny, nz),
+            uv: Vec2::new(u, v),
+        })
+    }
+
+    /// The object under a pixel, by its place among the scene's.
+    pub fn object(&self, x: u32, y: u32) -> Option<u32> {
+        let is_inside = x < self.size[0] && y < self.size[1];
+        let [_, _, object, distance] = is_inside.then(|| self.places[self.index(x, y)])?;
+        (distance >= 0.0).then_some(object as u32)
+    }
+
+    /// The pixels along the border of the chosen objects, by rows from the top: on each side one, so the line
+    /// is two pixels wide. Where two chosen objects meet there is none, nor at the edge of the picture.
+    pub fn outline(&self, is_chosen: impl Fn(u32) -> bool) -> Vec<[u32; 2]> {
+        let [width, height] = self.size;
+        let chosen: Vec<bool> =
+            self.places.iter().map(|place| place[3] >= 0.0 && is_chosen(place[2] as u32)).collect();
+        let here = |x, y| chosen[self.index(x, y)];
+        let is_border = |[x, y]: &[u32; 2]| {
+            let (x, y) = (*x, *y);
+            let sides = [
+                (x.max(1) - 1, y),
+                ((x + 1).min(width - 1), y),
+                (x, y.max(1) - 1),
+                (x, (y + 1).min(height - 1)),
+            ];
+            sides.into_iter().any(|(u, v)| here(u, v) != here(x, y))
+        };
+        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
+        pixels.filter(is_border).collect()
+    }
+
+    fn index(&self, x: u32, y: u32) -> usize {
+        (y * self.size[0] + x) as usize
+    }
+}
