@@ -9,6 +9,7 @@ use std::sync::mpsc::{Sender, channel};
 use std::time::{Duration, Instant};
 
 use super::events::Change;
+use super::focus::Focus;
 use crate::diagnostic::{Diagnostic, Report};
 use crate::gpu::{Gpu, Pipeline};
 use crate::library::Library;
@@ -27,6 +28,8 @@ pub enum Order {
     Changed,
     /// The same, with this text instead of what the scene's file holds; None for the file's again.
     Edited(Option<Arc<str>>),
+    /// The same, of which only this is to be seen.
+    Focus(Focus),
     /// The last version is on the screen: there is time for its live pipeline.
     Shown,
 }
@@ -72,6 +75,7 @@ pub fn start(gpu: Gpu, done: impl Fn(Built) + Send + 'static) -> Sender<Order> {
             scene: PathBuf::new(),
             edited: None,
             file: None,
+            focus: Focus::All,
             before: None,
             without_live: None,
         };
@@ -90,6 +94,7 @@ struct Builder {
     edited: Option<Arc<str>>,
     /// What that file held when it was last read.
     file: Option<Arc<str>>,
+    focus: Focus,
     /// The last version that could be drawn.
     before: Option<Arc<Compiled>>,
     /// The same, while it has no live pipeline: that waits until the author sees the baked one.
@@ -108,7 +113,9 @@ impl Builder {
                     self.scene = scene;
                     self.edited = None;
                     self.file = None;
+                    self.focus = Focus::All;
                 }
+                Order::Focus(focus) => self.focus = focus,
                 Order::Edited(text) => self.edited = text,
                 Order::Changed => {}
                 Order::Shown => is_shown = true,
@@ -144,11 +151,18 @@ impl Builder {
         let outcome = compile(&sources, &self.scene, Mode::Live, self.before.as_deref());
         // An edit that is not saved must not hide what becomes of the file.
         self.watcher.watch(sources.asked().into_iter().chain(disk.asked()).collect());
+        let broken = |problem| Report { diagnostics: vec![problem], ..outcome.report.clone() };
         let Some(compiled) = outcome.compiled else {
             done(Built::Broken(outcome.report));
             return None;
         };
-        let compiled = Arc::new(compiled);
+        let compiled = match self.focus.of(compiled) {
+            Ok(compiled) => Arc::new(compiled),
+            Err(problem) => {
+                done(Built::Broken(broken(problem)));
+                return None;
+            }
+        };
         let mut change = self.change(&compiled);
         if change == Change::Numbers && !self.build_live(done) {
             change = Change::Structure;
@@ -159,7 +173,7 @@ impl Builder {
             match self.baked(&compiled) {
                 Ok(pipeline) => baked = Some(pipeline),
                 Err(problem) => {
-                    done(Built::Broken(Report { diagnostics: vec![problem], ..outcome.report }));
+                    done(Built::Broken(broken(problem)));
                     return None;
                 }
             }

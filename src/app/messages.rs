@@ -7,7 +7,7 @@ use super::builder::Built;
 use super::events::Change;
 use crate::Compiled;
 use crate::diagnostic::Report;
-use crate::gpu::{GpuError, View};
+use crate::gpu::{GpuError, Identity, View};
 use crate::ir::Camera;
 use crate::outline::Outline;
 
@@ -24,6 +24,10 @@ pub struct Look {
     /// Pixels from the top left.
     pub mouse: [f32; 2],
     pub clock: Clock,
+    /// Whether lights, the camera's target and bounds are drawn over the picture.
+    pub gizmos: bool,
+    /// Whether the window wants to know what lies under each pixel.
+    pub asks: bool,
 }
 
 /// The time that a scene shows which reads it.
@@ -69,6 +73,8 @@ pub enum Notice {
         outline: Box<Outline>,
         text: Arc<str>,
     },
+    /// What lies under each pixel of the picture that was asked for last.
+    Identity(Box<Identity>),
     /// The scene is wrong; nothing else changes.
     Broken(Report),
     /// The GPU failed.

@@ -6,10 +6,12 @@ use std::time::{Duration, Instant};
 
 use super::builder::{Built, Version};
 use super::drawable::Drawable;
+use super::easel::Easel;
 use super::events::Change;
-use super::messages::{Clock, FORMAT, Look, Notice, Picture, Texels, Wish};
+use super::messages::{Clock, Look, Notice, Picture, Wish};
 use super::pace::Pace;
-use crate::gpu::{Display, Gpu, GpuError, Moment, Target, Tracer, View, sample_offset};
+use crate::Compiled;
+use crate::gpu::{Gpu, GpuError, Identity, Moment, Tracer, View, sample_offset};
 
 /// No slice of a picture takes much longer.
 const SLICE: Duration = Duration::from_millis(60);
@@ -27,20 +29,28 @@ const COURTESY: Duration = Duration::from_millis(100);
 pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'static) -> Sender<Wish> {
     let (sender, receiver) = channel();
     std::thread::spawn(move || {
-        let display = Display::new(&gpu, FORMAT);
         let clock = Clock::Stopped(0.0);
-        let look =
-            Look { corner: [0; 2], size: [0; 2], camera: None, view: View::Color, mouse: [0.0; 2], clock };
+        let look = Look {
+            corner: [0; 2],
+            size: [0; 2],
+            camera: None,
+            view: View::Color,
+            mouse: [0.0; 2],
+            clock,
+            gizmos: false,
+            asks: false,
+        };
         let mut painter = Painter {
+            easel: Easel::new(&gpu, shares_device),
             gpu,
             shares_device,
-            display,
             notify: Box::new(notify),
             scene: None,
             look,
             tracer: None,
             coarseness: 1,
             rows_done: 0,
+            is_told: false,
             sample_started: Instant::now(),
             pace: Pace::new(!shares_device),
             is_held: false,
@@ -56,7 +66,7 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
 struct Painter {
     gpu: Gpu,
     shares_device: bool,
-    display: Display,
+    easel: Easel,
     notify: Box<dyn Fn(Notice)>,
     scene: Option<Drawable>,
     look: Look,
@@ -64,6 +74,8 @@ struct Painter {
     /// Screen pixels to one of the picture being drawn.
     coarseness: u32,
     rows_done: u32,
+    /// Whether the window knows what lies under each pixel, as far as it has asked.
+    is_told: bool,
     sample_started: Instant,
     pace: Pace,
     /// Whether another version is being built on the processor that would draw this one.
@@ -92,7 +104,13 @@ impl Painter {
             if self.is_done() || self.waits_until.is_some() {
                 continue;
             }
-            let done = if self.needs_warming() { self.warm_up() } else { self.draw_slice() };
+            let done = if self.needs_warming() {
+                self.warm_up()
+            } else if self.needs_telling() {
+                self.tell()
+            } else {
+                self.draw_slice()
+            };
             if let Err(error) = done {
                 (self.notify)(Notice::Failed(error));
                 return;
@@ -106,7 +124,8 @@ impl Painter {
         }
         let complete = self.tracer.as_ref().is_some_and(|t| t.samples() >= SAMPLES) && self.coarseness == 1;
         let is_visible = !self.look.size.contains(&0);
-        self.is_held || !is_visible || (complete && !self.is_moving() && !self.needs_warming())
+        let is_owed = self.is_moving() || self.needs_warming() || self.needs_telling();
+        self.is_held || !is_visible || (complete && !is_owed)
     }
 
     /// Whether the picture changes by itself.
@@ -120,6 +139,31 @@ impl Painter {
         let Some(scene) = &self.scene else { return false };
         let is_settled = self.rows_done == 0 && (self.coarseness == 1 || self.is_moving());
         is_settled && scene.is_shown && scene.live.is_some() && !scene.is_warm
+    }
+
+    /// Whether the window waits to know what lies under the pixels of a picture that it shows.
+    fn needs_telling(&self) -> bool {
+        let is_shown = self.scene.as_ref().is_some_and(|scene| scene.is_shown);
+        self.look.asks && !self.is_told && self.rows_done == 0 && is_shown
+    }
+
+    fn tell(&mut self) -> Result<(), GpuError> {
+        let Some(scene) = &self.scene else { return Ok(()) };
+        let compiled = &scene.version.compiled;
+        let moment = self.moment(compiled);
+        let render = &compiled.scene.render;
+        let identity = Identity::draw(&self.gpu, scene.pipeline(), &moment, render, self.look.size)?;
+        self.is_told = true;
+        (self.notify)(Notice::Identity(Box::new(identity)));
+        Ok(())
+    }
+
+    /// What the picture shows that is being drawn.
+    fn moment(&self, compiled: &Compiled) -> Moment {
+        let scene = &compiled.scene;
+        let mouse = self.look.mouse.map(|x| x / self.coarseness as f32);
+        let camera = self.look.camera.unwrap_or(scene.camera);
+        Moment { camera, view: self.look.view, time: self.time, mouse }
     }
 
     /// Draws a row that the next sample will draw over.
@@ -149,10 +193,9 @@ impl Painter {
                 let scene = self.scene.as_ref();
                 let reads_mouse = scene.is_some_and(|s| s.reads_mouse) && look.mouse != before.mouse;
                 let reads_clock = scene.is_some_and(|s| s.moves) && look.clock != before.clock;
-                let is_other = look
-                    != Look { corner: look.corner, mouse: look.mouse, clock: look.clock, ..before }
-                    || reads_mouse
-                    || reads_clock;
+                let Look { corner, mouse, clock, asks, .. } = look;
+                let is_other =
+                    look != Look { corner, mouse, clock, asks, ..before } || reads_mouse || reads_clock;
                 self.look = look;
                 if is_other {
                     self.restart(PROMPT);
@@ -191,6 +234,7 @@ impl Painter {
 
     /// Begins a new picture, coarse where a fine one would keep the window waiting.
     fn restart(&mut self, prompt: Duration) {
+        self.is_told = false;
         self.begin(self.pace.coarseness(self.look.size, prompt));
     }
 
@@ -209,19 +253,15 @@ impl Painter {
             self.tracer = Some(Tracer::new(&self.gpu, size)?);
             self.rows_done = 0;
         }
-        let tracer = self.tracer.as_mut().expect("it was just made");
         let end = self.rows_done.saturating_add(self.pace.rows(size[0], SLICE)).min(size[1]);
         let compiled = &scene.version.compiled;
-        let mut moment = Moment::of(&compiled.scene);
-        moment.camera = self.look.camera.unwrap_or(moment.camera);
-        moment.view = self.look.view;
-        moment.mouse = self.look.mouse.map(|x| x / self.coarseness as f32);
         if self.rows_done == 0 {
             self.sample_started = Instant::now();
             // All slices of a picture show one moment.
             self.time = if scene.moves { self.look.clock.time() } else { 0.0 };
         }
-        moment.time = self.time;
+        let moment = self.moment(compiled);
+        let tracer = self.tracer.as_mut().expect("it was just made");
         let begun = Instant::now();
         let jitter = sample_offset(tracer.samples(), SAMPLES);
         tracer.draw(scene.pipeline(), &moment, &compiled.scene.render, jitter, self.rows_done..end);
@@ -258,17 +298,8 @@ impl Painter {
         let scene = self.scene.as_mut().expect("it has been drawn");
         scene.is_shown = true;
         let tracer = self.tracer.as_ref().expect("it has drawn a sample");
-        let canvas = self.display.canvas(tracer.picture(), FORMAT);
-        let target = canvas.create_view(&Default::default());
-        let whole = Target { corner: [0.0; 2], zoom: 1.0 };
         let version = &scene.version;
-        let light = (self.look.view == View::Color).then_some(&version.compiled.scene.render);
-        self.display.draw(tracer.picture(), light, &target, whole);
-        let texels = if self.shares_device {
-            Texels::Shared(canvas)
-        } else {
-            Texels::Bytes { size: tracer.size(), rgba: self.display.read(&canvas)? }
-        };
+        let texels = self.easel.show(tracer, &version.compiled, &self.look)?;
         self.shown = Instant::now();
         self.waits_until = (!self.shares_device).then(|| Instant::now() + COURTESY);
         (self.notify)(Notice::Picture(Picture {

@@ -156,6 +156,7 @@ impl ApplicationHandler<Notice> for App<'_> {
                 Notice::File(text) => {
                     let _ = open.builder.send(open.panel.file_says(&text));
                 }
+                Notice::Identity(identity) => open.panel.know(identity),
                 Notice::Outline { outline, text } => open.panel.offer(outline, text),
                 Notice::Ready { pipelines } => return (app.on_event)(&Event::Ready { pipelines }),
                 Notice::Broken(report) => {

@@ -8,14 +8,20 @@ use egui::{Align, Color32, Key, KeyboardShortcut, Layout, Modifiers, RichText, U
 use super::{Deeds, Panel};
 use crate::app::builder::Order;
 use crate::app::document::Document;
+use crate::app::focus::Focus;
 use crate::app::messages::Clock;
+use crate::edit::{Edit, NewValue};
 use crate::gpu::View;
+use crate::outline::NodeKind;
 
 const UNDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Z);
 const REDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
 const REDO_TOO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Y);
 const HOME: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::Home);
 const PAUSE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::Space);
+
+const GIZMOS: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::G);
+const NOTHING: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::Escape);
 
 /// Seconds from one frame to the next when time is stepped by hand.
 const FRAME: f32 = 1.0 / 60.0;
@@ -36,6 +42,12 @@ impl Panel {
         if pressed(PAUSE) {
             self.toggle_clock();
         }
+        if pressed(GIZMOS) {
+            self.gizmos = !self.gizmos;
+        }
+        if pressed(NOTHING) {
+            self.selected = None;
+        }
     }
 
     pub(super) fn bar(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
@@ -52,16 +64,52 @@ impl Panel {
             };
             deeds.undo |= button(ui, self.document.can_undo(), "Undo", UNDO);
             deeds.redo |= button(ui, self.document.can_redo(), "Redo", REDO);
-            if ui
-                .add_enabled(self.camera.is_some(), egui::Button::new("Home"))
-                .on_hover_text("back to the scene's camera (Home)\ndrag: turn, right drag: move, wheel: zoom")
-                .clicked()
-            {
-                self.camera = None;
-            }
+            self.camera_buttons(ui, deeds);
+            ui.separator();
+            let help = "show lights, the camera's target and bounds (G)";
+            ui.toggle_value(&mut self.gizmos, "Gizmos").on_hover_text(help);
+            self.focus_button(ui, deeds);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| self.saving(ui));
         });
         ui.add_space(1.0);
+    }
+
+    fn camera_buttons(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+        let moved = self.camera;
+        let help = "back to the scene's camera (Home)\ndrag: turn, right drag: move, wheel: zoom";
+        if ui.add_enabled(moved.is_some(), egui::Button::new("Home")).on_hover_text(help).clicked() {
+            self.camera = None;
+        }
+        let help = "write this camera into the scene";
+        let keep = ui.add_enabled(moved.is_some(), egui::Button::new("Keep view")).on_hover_text(help);
+        if keep.clicked()
+            && let Some(camera) = moved
+        {
+            let path = crate::scene::Path::default().field("camera");
+            for (name, point) in [("eye", camera.eye), ("target", camera.target)] {
+                let numbers = point.to_array().map(|x| (x * 1e3).round() / 1e3).to_vec();
+                let value = NewValue::Vector(numbers);
+                deeds.edits.push(Edit::Set { path: path.field(name), value });
+            }
+        }
+    }
+
+    /// Shows what is chosen alone, and then all again.
+    fn focus_button(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+        let chosen = self.chosen().and_then(|node| match node.kind {
+            NodeKind::Object => Some(Focus::Object(node.label.clone())),
+            NodeKind::Material => Some(Focus::Material(node.label.clone())),
+            _ => None,
+        });
+        let mut is_on = self.focus != Focus::All;
+        let help = "show only the chosen object, or the chosen material on a stage";
+        let can = is_on || chosen.is_some();
+        ui.add_enabled_ui(can, |ui| {
+            if ui.toggle_value(&mut is_on, "Only this").on_hover_text(help).changed() {
+                self.focus = if is_on { chosen.unwrap_or_default() } else { Focus::All };
+                deeds.orders.push(Order::Focus(self.focus.clone()));
+            }
+        });
     }
 
     fn scene_menu(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
@@ -83,6 +131,8 @@ impl Panel {
             self.outline = None;
             self.selected = None;
             self.camera = None;
+            self.focus = Focus::All;
+            self.picking.forget();
             self.scene.clone_from(&scene);
             deeds.orders.push(Order::Open(scene));
         }

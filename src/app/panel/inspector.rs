@@ -6,7 +6,7 @@ use egui::{RichText, Ui};
 
 use super::fields::Fields;
 use super::tree::Tree;
-use super::{Deeds, Panel};
+use super::{Deeds, Panel, picking};
 use crate::edit::Edit;
 use crate::library::Library;
 use crate::outline::{self, Node, Role};
@@ -32,7 +32,7 @@ impl Panel {
                 Tree { edits, selected, wanted, example: &example }.show(ui, &outline);
             });
         ui.separator();
-        let chosen = self.selected.as_ref().and_then(|path| find(&outline.nodes, path));
+        let chosen = self.selected.as_ref().and_then(|path| picking::find(&outline.nodes, path));
         egui::ScrollArea::vertical().id_salt("fields").auto_shrink([false, false]).show(
             ui,
             |ui| match chosen {
@@ -99,10 +99,6 @@ impl Panel {
             deeds.orders.push(crate::app::builder::Order::Edited(self.document.overlay()));
         }
     }
-}
-
-fn find<'n>(nodes: &'n [Node], path: &crate::scene::Path) -> Option<&'n Node> {
-    nodes.iter().find_map(|node| if node.path == *path { Some(node) } else { find(&node.nodes, path) })
 }
 
 /// RON text of a `name` with no more than it must be given.

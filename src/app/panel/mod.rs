@@ -8,6 +8,7 @@ mod fields;
 mod inspector;
 mod mistakes;
 mod pending;
+mod picking;
 mod picture;
 mod shader;
 mod style;
@@ -21,10 +22,12 @@ use std::time::Instant;
 use egui::Ui;
 
 pub use self::pending::Pending;
+use self::picking::Picking;
 pub use self::style::{ACCENT, apply as apply_style};
 use super::builder::Order;
 use super::document::Document;
 use super::editor;
+use super::focus::Focus;
 use super::messages::{Clock, Look, Picture};
 use crate::Compiled;
 use crate::diagnostic::{Diagnostic, Report};
@@ -46,6 +49,12 @@ pub struct Panel {
     /// The scene's own.
     home: Option<Camera>,
     mouse: [f32; 2],
+    /// Whether lights, target and bounds are drawn over the picture.
+    gizmos: bool,
+    focus: Focus,
+    picking: Picking,
+    /// What was asked of the painter last.
+    look: Option<Look>,
     clock: Clock,
     /// Whether the scene reads the clock.
     moves: bool,
@@ -99,6 +108,10 @@ impl Panel {
             camera: None,
             home: None,
             mouse: [0.0; 2],
+            gizmos: false,
+            focus: Focus::All,
+            picking: Picking::default(),
+            look: None,
             clock: Clock::Running { then: 0.0, at: Instant::now() },
             moves: false,
             document: Document::new(scene),
@@ -123,6 +136,7 @@ impl Panel {
         }
         if is_new_edit {
             self.mend(&picture.warnings);
+            self.picking.forget();
             self.listing.take(&picture.compiled);
         }
         self.moves = picture.moves;

@@ -19,6 +19,13 @@ impl Panel {
         if let Some(pointer) = response.interact_pointer_pos() {
             self.mouse = [(pointer.x - area.min.x) * points, (pointer.y - area.min.y) * points];
         }
+        if response.clicked()
+            && let Some(pointer) = response.interact_pointer_pos()
+        {
+            let at = (pointer - area.min) * points;
+            self.click([at.x.max(0.0) as u32, at.y.max(0.0) as u32]);
+        }
+        self.show_choice(ui, area);
         if let Some((report, text)) = self.report.take() {
             if let Some(problem) = mistakes::show(ui, area, &report, &text) {
                 self.open_place(&report, &problem);
@@ -26,14 +33,22 @@ impl Panel {
             self.report = Some((report, text));
         }
         let pixels = |points_long: f32| (points_long * points).round() as u32;
-        Look {
+        let look = Look {
             corner: [pixels(area.min.x), pixels(area.min.y)],
             size: [pixels(area.width()), pixels(area.height())],
             camera: self.camera,
             view: self.view,
             mouse: self.mouse,
             clock: self.clock,
+            gizmos: self.gizmos,
+            asks: self.asks(),
+        };
+        let Look { corner, mouse, asks, gizmos, .. } = look;
+        if self.look.is_some_and(|before| Look { corner, mouse, asks, gizmos, ..before } != look) {
+            self.picking.forget();
         }
+        self.look = Some(look);
+        look
     }
 
     fn move_camera(&mut self, ui: &Ui, response: &egui::Response, area: egui::Rect) {

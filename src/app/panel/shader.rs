@@ -50,10 +50,7 @@ impl Panel {
 
     /// The name by which the shader calls the chosen object.
     fn selected_object(&self) -> Option<String> {
-        let (outline, _) = self.outline.as_ref()?;
-        let path = self.selected.as_ref()?;
-        let node = outline.all_nodes().into_iter().find(|node| node.path == *path)?;
-        let index = node.object?;
+        let index = self.chosen()?.object?;
         let line =
             self.listing.text.as_ref()?.lines().find(|line| {
                 line.starts_with("const OBJECT_") && line.ends_with(&format!("u32 = {index}u;"))

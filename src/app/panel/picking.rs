@@ -1,0 +1,170 @@
+//! What lies under the pointer: a click chooses it, an outline shows what is chosen.
+
+use egui::{Color32, ColorImage, RichText, TextureHandle, TextureOptions, Ui};
+
+use super::{ACCENT, Panel};
+use crate::app::editor;
+use crate::app::focus::Focus;
+use crate::gpu::{Identity, Seen};
+use crate::outline::{Node, NodeKind};
+use crate::scene::Path;
+
+/// What is known of the pixels of the picture, and what is asked of it.
+#[derive(Default)]
+pub struct Picking {
+    identity: Option<Box<Identity>>,
+    /// The pixel of a click that waits for an answer.
+    wanted: Option<[u32; 2]>,
+    seen: Option<Seen>,
+    /// The outline of these objects.
+    outline: Option<(Vec<u32>, TextureHandle)>,
+}
+
+impl Picking {
+    /// The picture has changed.
+    pub fn forget(&mut self) {
+        self.identity = None;
+        self.outline = None;
+    }
+}
+
+impl Panel {
+    /// What lies under each pixel of the picture as it is now.
+    pub fn know(&mut self, identity: Box<Identity>) {
+        self.picking.identity = Some(identity);
+        self.picking.outline = None;
+        self.pick();
+    }
+
+    /// Whether somebody wants to know what lies under the pixels.
+    pub(super) fn asks(&self) -> bool {
+        let is_open = self.picking.wanted.is_some() || !self.chosen_objects().is_empty();
+        is_open && !matches!(self.focus, Focus::Material(_))
+    }
+
+    pub(super) fn click(&mut self, pixel: [u32; 2]) {
+        self.picking.wanted = Some(pixel);
+        self.pick();
+    }
+
+    fn pick(&mut self) {
+        let Some(identity) = &self.picking.identity else { return };
+        let Some([x, y]) = self.picking.wanted.take() else { return };
+        self.picking.seen = identity.at(x, y);
+        self.selected = self.picking.seen.and_then(|seen| {
+            let (outline, _) = self.outline.as_ref()?;
+            outline.object(seen.object as usize).map(|node| node.path.clone())
+        });
+    }
+
+    /// Draws the outline of what is chosen, and says what was clicked.
+    pub(super) fn show_choice(&mut self, ui: &mut Ui, area: egui::Rect) {
+        let chosen = self.chosen_objects();
+        if chosen.is_empty() {
+            self.picking.outline = None;
+        } else if self.picking.outline.as_ref().is_none_or(|(objects, _)| *objects != chosen) {
+            self.picking.outline = self.picking.identity.as_ref().map(|identity| {
+                let image = outlined(identity, &chosen);
+                (chosen, ui.ctx().load_texture("outline", image, TextureOptions::NEAREST))
+            });
+        }
+        if let Some((_, texture)) = &self.picking.outline {
+            let whole = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
+            ui.painter().image(texture.id(), area, whole, Color32::WHITE);
+        }
+        if let Some(seen) = self.picking.seen {
+            self.say(ui, area, &seen);
+        }
+    }
+
+    fn say(&mut self, ui: &mut Ui, area: egui::Rect, seen: &Seen) {
+        let Some(compiled) = &self.compiled else { return };
+        let Some(object) = compiled.scene.objects.get(seen.object as usize) else { return };
+        let material = &compiled.scene.materials[object.material].name;
+        let p = seen.position;
+        let line = self.line_of_choice();
+        let text = format!(
+            "{}   material {material}\nposition {:.3} {:.3} {:.3}   uv {:.3} {:.3}\nnormal {:.2} {:.2} {:.2}   {:.3} away",
+            object.name,
+            p.x,
+            p.y,
+            p.z,
+            seen.uv.x,
+            seen.uv.y,
+            seen.normal.x,
+            seen.normal.y,
+            seen.normal.z,
+            seen.distance
+        );
+        let (mut closes, mut opens) = (false, false);
+        egui::Area::new(egui::Id::unique("picked")).fixed_pos(area.min + egui::vec2(10.0, 10.0)).show(
+            ui.ctx(),
+            |ui| {
+                let frame = egui::Frame::NONE.fill(Color32::from_black_alpha(170)).corner_radius(6);
+                frame.inner_margin(8.0).show(ui, |ui| {
+                    let text = RichText::new(text).monospace().size(11.5).color(Color32::from_gray(225));
+                    ui.label(text);
+                    ui.horizontal(|ui| {
+                        if let Some(line) = line {
+                            let link = RichText::new(format!("open line {line}")).color(ACCENT).small();
+                            opens = ui.link(link).clicked();
+                        }
+                        closes = ui.link(RichText::new("close").color(ACCENT).small()).clicked();
+                    });
+                });
+            },
+        );
+        if opens && let Some(line) = line {
+            self.notice = editor::open(&self.scene, line).err();
+        }
+        if closes {
+            self.picking.seen = None;
+        }
+    }
+
+    /// The line of the scene's file at which what is chosen begins.
+    fn line_of_choice(&self) -> Option<usize> {
+        let start = self.chosen()?.span.as_ref()?.start;
+        let (_, text) = self.outline.as_ref()?;
+        Some(1 + text.get(..start)?.matches('\n').count())
+    }
+
+    /// What is chosen in the tree.
+    pub(super) fn chosen(&self) -> Option<&Node> {
+        let (outline, _) = self.outline.as_ref()?;
+        find(&outline.nodes, self.selected.as_ref()?)
+    }
+
+    /// The objects that are chosen: one, those of a solid, or those of a material.
+    pub(super) fn chosen_objects(&self) -> Vec<u32> {
+        let (Some(node), Some(compiled)) = (self.chosen(), &self.compiled) else { return vec![] };
+        let scene = &compiled.scene;
+        match node.kind {
+            NodeKind::Material => {
+                let has_it = |i: &usize| scene.materials[scene.objects[*i].material].name == node.label;
+                (0..scene.objects.len()).filter(has_it).map(|i| i as u32).collect()
+            }
+            NodeKind::Object | NodeKind::Combination => objects_of(node),
+            _ => vec![],
+        }
+    }
+}
+
+/// The node at `path`.
+pub fn find<'n>(nodes: &'n [Node], path: &Path) -> Option<&'n Node> {
+    nodes.iter().find_map(|node| if node.path == *path { Some(node) } else { find(&node.nodes, path) })
+}
+
+fn objects_of(node: &Node) -> Vec<u32> {
+    let own = node.object.map(|object| object as u32);
+    own.into_iter().chain(node.nodes.iter().flat_map(objects_of)).collect()
+}
+
+fn outlined(identity: &Identity, objects: &[u32]) -> ColorImage {
+    let [width, height] = identity.size().map(|n| n as usize);
+    let mut image = ColorImage::filled([width, height], Color32::TRANSPARENT);
+    for [x, y] in identity.outline(|object| objects.contains(&object)) {
+        image[(x as usize, y as usize)] = ACCENT;
+    }
+    image
+}
