@@ -36,20 +36,30 @@ fn modelCrossing(ray: Ray, model: Model) -> f32 {
     let octant = dot(vec3u(1u, 2u, 4u), vec3u(reciprocal < vec3f()));
     let unit = 1.0 / length(ray.direction);
     let frame = frameAround(ray.direction * unit);
+    // The ray starts anew where it enters the ball around the model: far away it has fewer digits.
+    let lowest = modelCorner(model.root);
+    let highest = modelCorner(model.root + 1u);
+    let radius = 0.5 * distance(lowest, highest);
+    let start = max(nearestApproach(ray, 0.5 * (lowest + highest)) - radius * unit, 0.0);
+    let origin = ray.origin + start * ray.direction;
+    let rest = Ray(origin, ray.t_min - start, ray.direction, ray.t_max - start);
+    // A box must hold what crossedTriangle finds in it: that turns corners, which moves them by up to ten
+    // roundings of their distance.
+    let farthest = max(abs(lowest - origin), abs(highest - origin));
+    let slack = 6e-7 * (farthest.x + farthest.y + farthest.z) * abs(reciprocal);
     var found = NO_HIT;
     var box = model.root;
     while box != NO_BOX {
         let low = modelWords(box);
         let high = modelWords(box + 1u);
-        let a = (bitcast<vec3f>(low.xyz) - ray.origin) * reciprocal;
-        let b = (bitcast<vec3f>(high.xyz) - ray.origin) * reciprocal;
-        let near = min(a, b);
-        let far = max(a, b);
-        let enters = max(max(near.x, near.y), max(near.z, ray.t_min));
-        // See meetsBounds for the factor.
-        let leaves = 1.0000004 * min(min(far.x, far.y), far.z);
+        let to_low = (bitcast<vec3f>(low.xyz) - origin) * reciprocal;
+        let to_high = (bitcast<vec3f>(high.xyz) - origin) * reciprocal;
+        let near = min(to_low, to_high) - slack;
+        let far = max(to_low, to_high) + slack;
+        let enters = max(max(near.x, near.y), max(near.z, rest.t_min));
+        let leaves = min(min(far.x, far.y), far.z);
         let triangles = high.w & 0xffu;
-        let meets = enters <= min(leaves, min(found, ray.t_max));
+        let meets = enters <= min(leaves, min(found, rest.t_max));
         work++;
         if meets && triangles == 0u {
             box = low.w + CHILD_TEXELS * ((high.w >> (8u + octant)) & 1u);
@@ -59,13 +69,13 @@ fn modelCrossing(ray: Ray, model: Model) -> f32 {
             work += triangles;
             for (var i = 0u; i < triangles; i++) {
                 let corner = low.w + TRIANGLE_TEXELS * i;
-                let t = crossedTriangle(
-                    ray, frame, unit, modelCorner(corner), modelCorner(corner + 2u), modelCorner(corner + 4u),
-                );
-                found = min(found, t);
+                let a = modelCorner(corner);
+                let b = modelCorner(corner + 2u);
+                let c = modelCorner(corner + 4u);
+                found = min(found, crossedTriangle(rest, frame, unit, a, b, c));
             }
         }
         box = modelWords(box + 2u + (octant >> 2u))[octant & 3u];
     }
-    return found;
+    return select(NO_HIT, start + found, found < NO_HIT);
 }

@@ -144,6 +144,34 @@ fn a_texture_that_was_missing_is_noticed_and_its_edits_too() {
 }
 
 #[test]
+fn an_edit_of_a_model_shows() {
+    let home = TempDir::new().expect("there is room for a folder");
+    let model = home.path().join("a.obj");
+    let square = |x: f32| {
+        let corners = [[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]];
+        corners.map(|[dx, y]| format!("v {} {y} 0\n", x + dx)).concat() + "f 1 2 3 4\n"
+    };
+    fs::write(&model, square(0.0)).expect("the folder is writable");
+    let scene = "(camera: (eye: (0, 0, 5), target: (0, 0, 0)), background: 0.2, render: (transfer: Linear),
+        objects: [Mesh(file: \"a.obj\", material: (color: 0, emission: 0.6))])";
+    fs::write(home.path().join("scene.ron"), scene).expect("the folder is writable");
+    let Some(mut desk) = Desk::open(home.path(), "scene.ron", SIZE) else {
+        assert!(std::env::var_os("RAYTOY_REQUIRE_GPU").is_none(), "there is no Xvfb");
+        return eprintln!("skipped: no Xvfb");
+    };
+    desk.wait_for_color(AT.0, AT.1, [level(0.6); 3]);
+    desk.wait_for_event("ready");
+    fs::write(&model, square(100.0)).expect("the folder is writable");
+    desk.wait_for("another model", |e| e["event"] == "presented" && e["change"] == "structure");
+    desk.wait_for_color(AT.0, AT.1, [level(0.2); 3]);
+    fs::write(&model, "v 1 2").expect("the folder is writable");
+    let broken = desk.wait_for_event("broken");
+    assert!(broken["text"].as_str().is_some_and(|t| t.contains("`a.obj` is damaged: line 1")), "{broken}");
+    save_by_rename(&model, &square(0.0));
+    desk.wait_for_color(AT.0, AT.1, [level(0.6); 3]);
+}
+
+#[test]
 fn a_drag_turns_the_camera_and_a_still_picture_costs_nothing() {
     let scene = "(
         camera: (eye: (0, 0, 5), target: (0, 0, 0)),

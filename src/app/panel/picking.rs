@@ -1,6 +1,7 @@
 //! What lies under the pointer: a click chooses it, an outline shows what is chosen.
 
 use egui::{Color32, ColorImage, RichText, TextureHandle, TextureOptions, Ui};
+use glam::Vec3;
 
 use super::{ACCENT, Panel};
 use crate::app::editor;
@@ -81,20 +82,15 @@ impl Panel {
         let Some(compiled) = &self.compiled else { return };
         let Some(object) = compiled.scene.objects.get(seen.object as usize) else { return };
         let material = &compiled.scene.materials[object.material].name;
-        let p = seen.position;
         let line = self.line_of_choice();
         let text = format!(
-            "{}   material {material}\nposition {:.3} {:.3} {:.3}   uv {:.3} {:.3}\nnormal {:.2} {:.2} {:.2}   {:.3} away",
+            "{}   material {material}\nposition {}   uv {:.3} {:.3}\nnormal {}   {:.3} away",
             object.name,
-            p.x,
-            p.y,
-            p.z,
+            triple(seen.position),
             seen.uv.x,
             seen.uv.y,
-            seen.normal.x,
-            seen.normal.y,
-            seen.normal.z,
-            seen.distance
+            triple(seen.normal),
+            seen.distance,
         );
         let (mut closes, mut opens) = (false, false);
         egui::Area::new(egui::Id::unique("picked")).fixed_pos(area.min + egui::vec2(10.0, 10.0)).show(
@@ -148,6 +144,10 @@ impl Panel {
             _ => vec![],
         }
     }
+}
+
+fn triple(v: Vec3) -> String {
+    format!("{:.3} {:.3} {:.3}", v.x, v.y, v.z)
 }
 
 /// The node at `path`.

@@ -214,7 +214,7 @@ impl Resolver<'_> {
         }
         for argument in &object.arguments {
             if let Value::Model(index) = argument
-                && !self.models[*index].is_closed()
+                && !self.models[*index].is_closed
             {
                 let message = format!("`{}` has a hole, and encloses nothing", self.models[*index].file);
                 let advice = "parts are solids: each edge of a model must join two triangles".into();

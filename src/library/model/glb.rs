@@ -1,85 +1,140 @@
 //! Binary glTF 2.0: the triangles of its scene, each moved to where its node stands.
+//!
+//! In: a file's bytes. Out: its triangles, node after node.
 
 use glam::{Mat3, Mat4, Vec2, Vec3};
+use gltf::accessor::Dimensions;
 use gltf::mesh::Mode;
+use gltf::{Document, Semantic};
 
-use super::Found;
+use super::elements::Elements;
+use super::{Found, MOST_TRIANGLES, too_many};
+
+/// Extensions that a file may need without having its triangles elsewhere or otherwise.
+const HARMLESS: [&str; 5] =
+    ["KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "KHR_mesh_quantization"];
 
 /// # Errors
 /// Why it is no such file, in words that follow its name.
 pub fn read(bytes: &[u8]) -> Result<Vec<[Found; 3]>, String> {
-    let file = gltf::Gltf::from_slice(bytes).map_err(|error| format!("is damaged: {error}"))?;
-    let outside = file.buffers().any(|b| matches!(b.source(), gltf::buffer::Source::Uri(_)));
-    if outside {
-        return Err("keeps its triangles in another file: export it as one .glb".into());
-    }
-    let scene = file.default_scene().or_else(|| file.scenes().next()).ok_or("has no scene")?;
-    let blob = file.blob.as_deref().unwrap_or(&[]);
+    let (document, blob) = parse(bytes)?;
+    let scene = document.default_scene().or_else(|| document.scenes().next()).ok_or("has no scene")?;
     let mut triangles = vec![];
-    // glTF forbids a node to stand below itself, but its reader does not look.
-    let mut left = 100_000;
+    let mut is_known = vec![false; document.nodes().len()];
     let mut waiting: Vec<(gltf::Node<'_>, Mat4)> = scene.nodes().map(|n| (n, Mat4::IDENTITY)).collect();
     while let Some((node, outer)) = waiting.pop() {
-        left -= 1;
-        if left == 0 {
-            return Err("has too many nodes".into());
+        // Else a node could stand below itself.
+        if std::mem::replace(&mut is_known[node.index()], true) {
+            return Err("is damaged: one of its nodes stands in two places".into());
         }
         let to_scene = outer * Mat4::from_cols_array_2d(&node.transform().matrix());
         for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
-            triangles.extend(self::primitive(&primitive, blob, to_scene)?);
+            add(&primitive, &blob, to_scene, &mut triangles)?;
         }
         waiting.extend(node.children().map(|child| (child, to_scene)));
     }
     Ok(triangles)
 }
 
-fn primitive(
+/// The document without what it says of looks and motion, and the bytes that it points into.
+fn parse(bytes: &[u8]) -> Result<(Document, Vec<u8>), String> {
+    const HEADER: usize = 12;
+    let length = bytes.get(8..HEADER).and_then(|word| word.try_into().ok()).map(u32::from_le_bytes);
+    let length = length.map_or(HEADER, |length| length as usize);
+    if bytes.len() < length.max(HEADER) {
+        return Err(format!("is cut off after {} of {length} bytes", bytes.len()));
+    }
+    // The reader takes the header off without a look.
+    if length < HEADER {
+        return Err("is damaged: it gives a length of less than its header".into());
+    }
+    let damaged = |error: gltf::Error| format!("is damaged: {}", error.to_string().trim_end_matches(';'));
+    let file = gltf::Gltf::from_slice_without_validation(bytes).map_err(damaged)?;
+    let mut json = file.document.into_json();
+    let is_harmless = |needed: &&String| HARMLESS.iter().any(|known| needed.starts_with(known));
+    if let Some(extension) = json.extensions_required.iter().find(|needed| !is_harmless(needed)) {
+        return Err(format!("needs `{extension}`, which raytoy does not know: export it without"));
+    }
+    json.extensions_required.clear();
+    json.materials.clear();
+    json.textures.clear();
+    json.images.clear();
+    json.animations.clear();
+    let accessors = json.accessors.len();
+    for primitive in json.meshes.iter_mut().flat_map(|mesh| &mut mesh.primitives) {
+        primitive.material = None;
+        // The check of the whole document goes there without a look.
+        if primitive.attributes.values().any(|accessor| accessor.value() >= accessors) {
+            return Err("is damaged: a mesh has corners that are not in the file".into());
+        }
+    }
+    if json.buffers.iter().any(|buffer| buffer.uri.is_some()) {
+        return Err("keeps its triangles in another file: export it as one .glb".into());
+    }
+    let document = Document::from_json(json).map_err(damaged)?;
+    Ok((document, file.blob.unwrap_or_default()))
+}
+
+fn add(
     primitive: &gltf::Primitive<'_>,
     blob: &[u8],
     to_scene: Mat4,
-) -> Result<Vec<[Found; 3]>, String> {
-    let reader = primitive.reader(|_| Some(blob));
-    let Some(positions) = reader.read_positions() else { return Ok(vec![]) };
-    let positions: Vec<Vec3> = positions.map(|p| to_scene.transform_point3(p.into())).collect();
-    let turned = Mat3::from_mat4(to_scene).inverse().transpose();
-    let normals: Vec<Vec3> =
-        reader.read_normals().map_or(vec![], |all| all.map(|n| turned * Vec3::from(n)).collect());
-    // glTF counts v from the top of an image.
-    let uvs: Vec<Vec2> = reader
-        .read_tex_coords(0)
-        .map_or(vec![], |all| all.into_f32().map(|[u, v]| Vec2::new(u, 1.0 - v)).collect());
-    let corner = |index: u32| {
-        let i = index as usize;
-        let position = *positions.get(i)?;
-        Some(Found { position, normal: normals.get(i).copied(), uv: uvs.get(i).copied() })
+    triangles: &mut Vec<[Found; 3]>,
+) -> Result<(), String> {
+    let elements = |accessor: Option<gltf::Accessor<'_>>, dimensions| {
+        accessor.map(|accessor| Elements::of(&accessor, dimensions, blob)).transpose()
     };
-    let indices: Vec<u32> = match reader.read_indices() {
-        Some(indices) => indices.into_u32().collect(),
-        None => (0..positions.len() as u32).collect(),
+    let Some(positions) = elements(primitive.get(&Semantic::Positions), Dimensions::Vec3)? else {
+        return Ok(());
+    };
+    let normals = elements(primitive.get(&Semantic::Normals), Dimensions::Vec3)?;
+    let uvs = elements(primitive.get(&Semantic::TexCoords(0)), Dimensions::Vec2)?;
+    let indices = elements(primitive.indices(), Dimensions::Scalar)?;
+    let turned = Mat3::from_mat4(to_scene).inverse().transpose();
+    let corner = |place: usize| {
+        let i = indices.as_ref().map_or(place, |indices| indices.index(place));
+        let has = |elements: &&Elements<'_>| i < elements.count;
+        has(&&positions).then(|| Found {
+            position: to_scene.transform_point3(positions.vector(i).into()),
+            normal: normals.as_ref().filter(has).map(|all| turned * Vec3::from(all.vector(i))),
+            uv: uvs.as_ref().filter(has).map(|all| {
+                // glTF counts v from the top of an image.
+                let [u, v] = all.vector(i);
+                Vec2::new(u, 1.0 - v)
+            }),
+        })
     };
     let mirrors = to_scene.determinant() < 0.0;
-    let mut triangles = vec![];
-    for [a, b, c] in faces(primitive.mode(), &indices) {
-        let [b, c] = if mirrors { [c, b] } else { [b, c] };
-        let [Some(a), Some(b), Some(c)] = [a, b, c].map(corner) else {
-            return Err("is damaged: a face has a corner that the file does not have".into());
-        };
-        triangles.push([a, b, c]);
+    let count = indices.as_ref().map_or(positions.count, |indices| indices.count);
+    let faces = faces(primitive.mode(), count);
+    if triangles.len() + faces > MOST_TRIANGLES {
+        return Err(too_many());
     }
-    Ok(triangles)
+    for n in 0..faces {
+        let [a, b, c] = face(primitive.mode(), n);
+        let [Some(a), Some(b), Some(c)] = [a, b, c].map(corner) else {
+            return Err("is damaged: a face has a corner that is not in the file".into());
+        };
+        triangles.push(if mirrors { [a, c, b] } else { [a, b, c] });
+    }
+    Ok(())
 }
 
-/// Points and lines have none.
-fn faces(mode: Mode, indices: &[u32]) -> Vec<[u32; 3]> {
+/// How many triangles `count` corners make. Points and lines make none.
+fn faces(mode: Mode, count: usize) -> usize {
     match mode {
-        Mode::Triangles => indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect(),
-        Mode::TriangleFan => indices.windows(2).skip(1).map(|t| [indices[0], t[0], t[1]]).collect(),
-        Mode::TriangleStrip => {
-            let turned = |(i, t): (usize, &[u32])| {
-                if i % 2 == 0 { [t[0], t[1], t[2]] } else { [t[1], t[0], t[2]] }
-            };
-            indices.windows(3).enumerate().map(turned).collect()
-        }
-        Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip => vec![],
+        Mode::Triangles => count / 3,
+        Mode::TriangleFan | Mode::TriangleStrip => count.saturating_sub(2),
+        Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip => 0,
+    }
+}
+
+/// The corners of triangle `n`.
+fn face(mode: Mode, n: usize) -> [usize; 3] {
+    match mode {
+        Mode::TriangleFan => [0, n + 1, n + 2],
+        Mode::TriangleStrip if n % 2 == 1 => [n + 1, n, n + 2],
+        Mode::TriangleStrip => [n, n + 1, n + 2],
+        _ => [3 * n, 3 * n + 1, 3 * n + 2],
     }
 }

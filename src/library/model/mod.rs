@@ -2,12 +2,15 @@
 //!
 //! In: a file's bytes. Out: a [`Model`], whose triangles lie as the tree's leaves name them.
 
+mod elements;
 mod glb;
 mod obj;
+mod places;
+mod polygon;
 mod smooth;
 mod tree;
 
-use std::collections::HashMap;
+use std::collections::HashSet;
 use std::fmt;
 use std::sync::Arc;
 
@@ -26,6 +29,8 @@ pub struct Model {
     pub triangles: Arc<[[Corner; 3]]>,
     /// The root first.
     pub nodes: Arc<[Node]>,
+    /// Whether each edge joins two triangles that face the same side, so that the model encloses something.
+    pub is_closed: bool,
 }
 
 /// A corner of a triangle.
@@ -52,27 +57,32 @@ const TRIANGLE_TEXELS: usize = 6;
 /// Keeps what a model takes of a GPU's memory below what all take in one buffer.
 const MOST_TRIANGLES: usize = 1_000_000;
 
+/// Farther out the squares of areas are no numbers any more.
+const MOST_COORDINATE: f32 = 1e9;
+
 impl Model {
     /// Reads OBJ or binary glTF; `digest` is of `bytes`.
     ///
     /// # Errors
     /// Why it cannot be shown, in words that follow the file's name.
     pub fn decode(file: String, digest: u64, bytes: &[u8]) -> Result<Self, String> {
-        let found = if bytes.starts_with(b"glTF") { glb::read(bytes)? } else { obj::read(bytes)? };
-        if found.len() > MOST_TRIANGLES {
-            return Err(format!("has {} triangles, and {MOST_TRIANGLES} are the most", found.len()));
-        }
-        let is_number = |corner: &Found| corner.position.abs().max_element() < 1e18;
-        if !found.iter().flatten().all(is_number) {
-            return Err("has a corner that is nowhere: its coordinates are no numbers".into());
-        }
-        let has_area = |t: &&[Found; 3]| facet(t.map(|c| c.position)) != Vec3::ZERO;
-        let found: Vec<[Found; 3]> = found.iter().filter(has_area).copied().collect();
-        if found.is_empty() {
-            return Err("has no triangles".into());
+        let mut found = if bytes.starts_with(b"glTF") {
+            glb::read(bytes)?
+        } else if bytes.trim_ascii_start().starts_with(b"{") {
+            return Err("is glTF as text: export it as one .glb".into());
+        } else if bytes.trim_ascii().is_empty() {
+            return Err("is empty".into());
+        } else {
+            obj::read(bytes)?
+        };
+        check(&found)?;
+        remove_idle(&mut found);
+        let is_closed = places::is_closed(&found);
+        if is_closed && places::is_inside_out(&found) {
+            found.iter_mut().for_each(|triangle| triangle.swap(1, 2));
         }
         let (triangles, nodes) = tree::plant(&smooth::finish(&found));
-        Ok(Self { file, digest, triangles: triangles.into(), nodes: nodes.into() })
+        Ok(Self { file, digest, triangles: triangles.into(), nodes: nodes.into(), is_closed })
     }
 
     /// How many texels [`Model::words`] fills.
@@ -100,27 +110,44 @@ impl Model {
         }
         words
     }
+}
 
-    /// Whether each edge joins two triangles that face the same side, so that the model encloses something.
-    pub fn is_closed(&self) -> bool {
-        let mut edges: HashMap<[[u32; 3]; 2], i64> = HashMap::new();
-        for triangle in self.triangles.iter() {
-            let at = triangle.map(|corner| place(corner.position));
-            for [a, b] in [[at[0], at[1]], [at[1], at[2]], [at[2], at[0]]] {
-                *edges.entry([a.min(b), a.max(b)]).or_default() += if a < b { 1 } else { -1 };
-            }
-        }
-        edges.values().all(|more| *more == 0)
+/// # Errors
+/// Why these are no triangles that can be shown, in words that follow the file's name.
+fn check(found: &[[Found; 3]]) -> Result<(), String> {
+    if found.len() > MOST_TRIANGLES {
+        return Err(too_many());
     }
+    let is_near = |x: f32| x.abs() <= MOST_COORDINATE;
+    let is_somewhere = |corner: &Found| {
+        let uv = corner.uv.unwrap_or_default();
+        corner.position.to_array().into_iter().chain(uv.to_array()).all(is_near)
+    };
+    if !found.iter().flatten().all(is_somewhere) {
+        return Err(format!("has a corner whose numbers are none, or beyond {MOST_COORDINATE:e}"));
+    }
+    if !found.iter().any(|t| facet(t.map(|corner| corner.position)) != Vec3::ZERO) {
+        return Err("has no triangles".into());
+    }
+    Ok(())
+}
+
+/// Leaves out triangles that do nothing: one with two corners at one place, and one that is there twice,
+/// which would make the tree deep. One without area stays: it may close the seam between its neighbours.
+fn remove_idle(found: &mut Vec<[Found; 3]>) {
+    let mut known: HashSet<u64, places::Mixed> = HashSet::default();
+    found.retain(|t| {
+        let [a, b, c] = t.map(|corner| corner.position);
+        a != b && b != c && c != a && known.insert(places::of_triangle(t))
+    });
+}
+
+fn too_many() -> String {
+    format!("has more than {MOST_TRIANGLES} triangles")
 }
 
 fn with(v: Vec3, word: u32) -> [u32; 4] {
     [v.x.to_bits(), v.y.to_bits(), v.z.to_bits(), word]
-}
-
-/// Equal for corners at the same place, whatever the sign of a zero.
-fn place(position: Vec3) -> [u32; 3] {
-    (position + Vec3::ZERO).to_array().map(f32::to_bits)
 }
 
 /// The outward normal of a flat triangle, length 1; zero where it has no area.

@@ -1,9 +1,10 @@
 //! The tree of boxes over a model's triangles, in which every node says where a ray goes on.
 
 use glam::Vec3;
-use obvhs::BvhBuildParams;
-use obvhs::bvh2::builder::build_bvh2_from_tris;
-use obvhs::triangle::Triangle;
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::leaf_collapser::collapse;
+use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
+use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
 use super::Corner;
 
@@ -23,6 +24,9 @@ pub struct Node {
     pub next: [u32; 8],
 }
 
+/// Triangles in a leaf: a ray asks all of them.
+const MOST_IN_LEAF: u32 = 4;
+
 /// There is no such node.
 pub const END: u32 = u32::MAX;
 
@@ -38,17 +42,23 @@ impl Node {
 
 /// The triangles in the order of the leaves, and the nodes.
 pub fn plant(triangles: &[[Corner; 3]]) -> (Vec<[Corner; 3]>, Vec<Node>) {
-    let bare: Vec<Triangle> = triangles
+    let boxes: Vec<Aabb> = triangles
         .iter()
-        .map(|t| {
-            let [v0, v1, v2] = t.map(|corner| corner.position.into());
-            Triangle { v0, v1, v2 }
-        })
+        .map(|triangle| Aabb::from_points(&triangle.map(|corner| corner.position.into())))
         .collect();
-    // Triangles are not split: each lies in one leaf, so that the leaves can name a stretch of them.
-    let parameters =
-        BvhBuildParams { pre_split: false, max_prims_per_leaf: 4, ..BvhBuildParams::medium_build() };
-    let tree = build_bvh2_from_tris(&bare, parameters, &mut Default::default());
+    // As obvhs::bvh2::builder does for BvhBuildParams::medium_build, but for its check, which takes longer
+    // than the tree and panics.
+    let mut tree = PlocBuilder::with_capacity(boxes.len()).build(
+        PlocSearchDistance::Medium,
+        &boxes,
+        (0..boxes.len() as u32).collect(),
+        SortPrecision::U64,
+        3,
+    );
+    let mut optimizer = ReinsertionOptimizer::default();
+    optimizer.run(&mut tree, 0.05, None);
+    collapse(&mut tree, MOST_IN_LEAF, 3.0);
+    optimizer.run(&mut tree, 0.1, None);
     let ordered = tree.primitive_indices.iter().map(|i| triangles[*i as usize]).collect();
     let mut nodes: Vec<Node> = tree
         .nodes

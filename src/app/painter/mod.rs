@@ -1,6 +1,8 @@
 //! The thread that draws: a coarse picture at once, then samples until it is fine, in slices, so that wishes
 //! are heard within a tenth of a second.
 
+mod drawing;
+
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
@@ -8,10 +10,9 @@ use super::builder::{Built, Version};
 use super::drawable::Drawable;
 use super::easel::Easel;
 use super::events::Change;
-use super::messages::{Clock, Look, Notice, Picture, Wish};
+use super::messages::{Clock, Look, Notice, Wish};
 use super::pace::Pace;
-use crate::Compiled;
-use crate::gpu::{Gpu, GpuError, Identity, Moment, Tracer, View, sample_offset};
+use crate::gpu::{Gpu, Tracer, View};
 
 /// No slice of a picture takes much longer.
 const SLICE: Duration = Duration::from_millis(60);
@@ -21,9 +22,6 @@ const PROMPT: Duration = Duration::from_millis(50);
 const PROMPT_EDIT: Duration = Duration::from_millis(10);
 /// A still picture is done with this many samples.
 const SAMPLES: u32 = 64;
-
-/// On a device of its own the painter lets the window show a picture first, but waits no longer than this.
-const COURTESY: Duration = Duration::from_millis(100);
 
 /// Starts the thread. `shares_device`: whether textures of `gpu` can be shown by the window.
 pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'static) -> Sender<Wish> {
@@ -147,37 +145,6 @@ impl Painter {
         self.look.asks && !self.is_told && self.rows_done == 0 && is_shown
     }
 
-    fn tell(&mut self) -> Result<(), GpuError> {
-        let Some(scene) = &self.scene else { return Ok(()) };
-        let compiled = &scene.version.compiled;
-        let moment = self.moment(compiled);
-        let render = &compiled.scene.render;
-        let identity = Identity::draw(&self.gpu, scene.pipeline(), &moment, render, self.look.size)?;
-        self.is_told = true;
-        (self.notify)(Notice::Identity(Box::new(identity)));
-        Ok(())
-    }
-
-    /// What the picture shows that is being drawn.
-    fn moment(&self, compiled: &Compiled) -> Moment {
-        let scene = &compiled.scene;
-        let mouse = self.look.mouse.map(|x| x / self.coarseness as f32);
-        let camera = self.look.camera.unwrap_or(scene.camera);
-        Moment { camera, view: self.look.view, time: self.time, mouse }
-    }
-
-    /// Draws a row that the next sample will draw over.
-    fn warm_up(&mut self) -> Result<(), GpuError> {
-        let (Some(scene), Some(tracer)) = (&mut self.scene, &mut self.tracer) else { return Ok(()) };
-        let Some(live) = &scene.live else { return Ok(()) };
-        let compiled = &scene.version.compiled;
-        tracer.draw(live, &Moment::of(&compiled.scene), &compiled.scene.render, [0.0; 2], 0..1);
-        self.gpu.wait()?;
-        scene.is_warm = true;
-        (self.notify)(Notice::Ready { pipelines: self.gpu.pipelines_made() });
-        Ok(())
-    }
-
     fn grant(&mut self, wish: Wish) {
         if let Wish::Built(built) = &wish {
             match built {
@@ -244,78 +211,5 @@ impl Painter {
         if let Some(tracer) = &mut self.tracer {
             tracer.restart();
         }
-    }
-
-    fn draw_slice(&mut self) -> Result<(), GpuError> {
-        let scene = self.scene.as_ref().expect("is_done has looked");
-        let size = self.look.size.map(|n| n.div_ceil(self.coarseness));
-        if self.tracer.as_ref().is_none_or(|t| t.size() != size) {
-            self.tracer = Some(Tracer::new(&self.gpu, size)?);
-            self.rows_done = 0;
-        }
-        let end = self.rows_done.saturating_add(self.pace.rows(size[0], SLICE)).min(size[1]);
-        let compiled = &scene.version.compiled;
-        if self.rows_done == 0 {
-            self.sample_started = Instant::now();
-            // All slices of a picture show one moment.
-            self.time = if scene.moves { self.look.clock.time() } else { 0.0 };
-        }
-        let moment = self.moment(compiled);
-        let tracer = self.tracer.as_mut().expect("it was just made");
-        let begun = Instant::now();
-        let jitter = sample_offset(tracer.samples(), SAMPLES);
-        tracer.draw(scene.pipeline(), &moment, &compiled.scene.render, jitter, self.rows_done..end);
-        self.gpu.wait()?;
-        self.pace.learn(size[0] * (end - self.rows_done), begun.elapsed());
-        self.rows_done = end;
-        if end == size[1] {
-            self.finish_sample()?;
-        }
-        Ok(())
-    }
-
-    fn finish_sample(&mut self) -> Result<(), GpuError> {
-        let tracer = self.tracer.as_mut().expect("it has drawn a sample");
-        tracer.next();
-        self.rows_done = 0;
-        let samples = tracer.samples();
-        let frame_time = self.sample_started.elapsed();
-        let is_first = samples == 1;
-        let is_last = samples == SAMPLES;
-        if is_first || is_last || self.shown.elapsed() > Duration::from_millis(100) {
-            self.show(samples, frame_time)?;
-        }
-        if self.is_moving() {
-            self.begin(self.coarseness);
-            std::thread::sleep(Duration::from_millis(15).saturating_sub(frame_time));
-        } else if self.coarseness > 1 {
-            self.begin((self.coarseness / 4).max(1));
-        }
-        Ok(())
-    }
-
-    fn show(&mut self, samples: u32, frame_time: Duration) -> Result<(), GpuError> {
-        let scene = self.scene.as_mut().expect("it has been drawn");
-        scene.is_shown = true;
-        let tracer = self.tracer.as_ref().expect("it has drawn a sample");
-        let version = &scene.version;
-        let texels = self.easel.show(tracer, &version.compiled, &self.look)?;
-        self.shown = Instant::now();
-        self.waits_until = (!self.shares_device).then(|| Instant::now() + COURTESY);
-        (self.notify)(Notice::Picture(Picture {
-            texels,
-            edit: scene.edit,
-            change: version.change,
-            samples,
-            resolution: 1.0 / self.coarseness as f32,
-            pipelines: self.gpu.pipelines_made(),
-            noticed: version.noticed,
-            pipeline_time: version.pipeline_time,
-            frame_time,
-            moves: scene.moves,
-            compiled: version.compiled.clone(),
-            warnings: version.warnings.clone(),
-        }));
-        Ok(())
     }
 }

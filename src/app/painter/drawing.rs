@@ -1,0 +1,117 @@
+//! How the painter draws: slices of samples, what lies under the pixels, a first row of a new pipeline.
+
+use std::time::{Duration, Instant};
+
+use super::{Painter, SAMPLES, SLICE};
+use crate::Compiled;
+use crate::app::messages::{Notice, Picture};
+use crate::gpu::{GpuError, Identity, Moment, Tracer, sample_offset};
+
+/// On a device of its own the painter lets the window show a picture first, but waits no longer than this.
+const COURTESY: Duration = Duration::from_millis(100);
+
+impl Painter {
+    pub(super) fn tell(&mut self) -> Result<(), GpuError> {
+        let Some(scene) = &self.scene else { return Ok(()) };
+        let compiled = &scene.version.compiled;
+        let moment = self.moment(compiled);
+        let render = &compiled.scene.render;
+        let identity = Identity::draw(&self.gpu, scene.pipeline(), &moment, render, self.look.size)?;
+        self.is_told = true;
+        (self.notify)(Notice::Identity(Box::new(identity)));
+        Ok(())
+    }
+
+    /// What the picture shows that is being drawn.
+    fn moment(&self, compiled: &Compiled) -> Moment {
+        let scene = &compiled.scene;
+        let mouse = self.look.mouse.map(|x| x / self.coarseness as f32);
+        let camera = self.look.camera.unwrap_or(scene.camera);
+        Moment { camera, view: self.look.view, time: self.time, mouse }
+    }
+
+    /// Draws a row that the next sample will draw over.
+    pub(super) fn warm_up(&mut self) -> Result<(), GpuError> {
+        let (Some(scene), Some(tracer)) = (&mut self.scene, &mut self.tracer) else { return Ok(()) };
+        let Some(live) = &scene.live else { return Ok(()) };
+        let compiled = &scene.version.compiled;
+        tracer.draw(live, &Moment::of(&compiled.scene), &compiled.scene.render, [0.0; 2], 0..1);
+        self.gpu.wait()?;
+        scene.is_warm = true;
+        (self.notify)(Notice::Ready { pipelines: self.gpu.pipelines_made() });
+        Ok(())
+    }
+
+    pub(super) fn draw_slice(&mut self) -> Result<(), GpuError> {
+        let scene = self.scene.as_ref().expect("is_done has looked");
+        let size = self.look.size.map(|n| n.div_ceil(self.coarseness));
+        if self.tracer.as_ref().is_none_or(|t| t.size() != size) {
+            self.tracer = Some(Tracer::new(&self.gpu, size)?);
+            self.rows_done = 0;
+        }
+        let end = self.rows_done.saturating_add(self.pace.rows(size[0], SLICE)).min(size[1]);
+        let compiled = &scene.version.compiled;
+        if self.rows_done == 0 {
+            self.sample_started = Instant::now();
+            // All slices of a picture show one moment.
+            self.time = if scene.moves { self.look.clock.time() } else { 0.0 };
+        }
+        let moment = self.moment(compiled);
+        let tracer = self.tracer.as_mut().expect("it was just made");
+        let begun = Instant::now();
+        let jitter = sample_offset(tracer.samples(), SAMPLES);
+        tracer.draw(scene.pipeline(), &moment, &compiled.scene.render, jitter, self.rows_done..end);
+        self.gpu.wait()?;
+        self.pace.learn(size[0] * (end - self.rows_done), begun.elapsed());
+        self.rows_done = end;
+        if end == size[1] {
+            self.finish_sample()?;
+        }
+        Ok(())
+    }
+
+    fn finish_sample(&mut self) -> Result<(), GpuError> {
+        let tracer = self.tracer.as_mut().expect("it has drawn a sample");
+        tracer.next();
+        self.rows_done = 0;
+        let samples = tracer.samples();
+        let frame_time = self.sample_started.elapsed();
+        let is_first = samples == 1;
+        let is_last = samples == SAMPLES;
+        if is_first || is_last || self.shown.elapsed() > Duration::from_millis(100) {
+            self.show(samples, frame_time)?;
+        }
+        if self.is_moving() {
+            self.begin(self.coarseness);
+            std::thread::sleep(Duration::from_millis(15).saturating_sub(frame_time));
+        } else if self.coarseness > 1 {
+            self.begin((self.coarseness / 4).max(1));
+        }
+        Ok(())
+    }
+
+    fn show(&mut self, samples: u32, frame_time: Duration) -> Result<(), GpuError> {
+        let scene = self.scene.as_mut().expect("it has been drawn");
+        scene.is_shown = true;
+        let tracer = self.tracer.as_ref().expect("it has drawn a sample");
+        let version = &scene.version;
+        let texels = self.easel.show(tracer, &version.compiled, &self.look)?;
+        self.shown = Instant::now();
+        self.waits_until = (!self.shares_device).then(|| Instant::now() + COURTESY);
+        (self.notify)(Notice::Picture(Picture {
+            texels,
+            edit: scene.edit,
+            change: version.change,
+            samples,
+            resolution: 1.0 / self.coarseness as f32,
+            pipelines: self.gpu.pipelines_made(),
+            noticed: version.noticed,
+            pipeline_time: version.pipeline_time,
+            frame_time,
+            moves: scene.moves,
+            compiled: version.compiled.clone(),
+            warnings: version.warnings.clone(),
+        }));
+        Ok(())
+    }
+}
