@@ -31,6 +31,7 @@ const IMPORTS: [(&str, &[&str]); 20] = [
     (
         "app",
         &[
+            "capture",
             "diagnostic",
             "edit",
             "gpu",

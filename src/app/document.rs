@@ -4,6 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::capture::write_file;
 use crate::edit::{Conflict, Edit, History, Refusal};
 
 /// A scene's text between the panel and the file. It has none until the file was read once.
@@ -113,18 +114,8 @@ impl Document {
 
 /// Puts `new` in place of the file at `path`, if that still holds `old`: whether it did.
 fn write(path: &Path, old: &str, new: &str) -> io::Result<bool> {
-    // A link stays a link.
-    let path = path.canonicalize()?;
-    if std::fs::read(&path)? != old.as_bytes() {
+    if std::fs::read(path)? != old.as_bytes() {
         return Ok(false);
     }
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let beside = path.with_file_name(format!(".{name}.{}.new", std::process::id()));
-    let done = std::fs::write(&beside, new)
-        .and_then(|()| std::fs::set_permissions(&beside, std::fs::metadata(&path)?.permissions()))
-        .and_then(|()| std::fs::rename(&beside, &path));
-    if done.is_err() {
-        let _ = std::fs::remove_file(&beside);
-    }
-    done.map(|()| true)
+    write_file(path, new.as_bytes()).map(|()| true)
 }

@@ -10,6 +10,8 @@ pub enum Event {
     Opened { adapter: String },
     /// From now on numbers can be edited without another pipeline.
     Ready { pipelines: u32 },
+    /// A click has chosen an object, or nothing.
+    Chosen { object: Option<String> },
     /// The files have changed, and what is shown is still right.
     Unchanged,
     /// The scene has mistakes; the last good picture stays.

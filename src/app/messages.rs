@@ -75,6 +75,8 @@ pub enum Notice {
     },
     /// What lies under each pixel of the picture that was asked for last.
     Identity(Box<Identity>),
+    /// A capture has come further.
+    Captured,
     /// The scene is wrong; nothing else changes.
     Broken(Report),
     /// The GPU failed.

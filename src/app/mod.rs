@@ -6,6 +6,7 @@
 //! watcher ─► builder (compile, make the pipeline) ─► painter (draw) ─► window (show, ask for another look)
 //! ```
 
+mod album;
 mod builder;
 mod camera;
 mod document;

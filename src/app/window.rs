@@ -1,5 +1,6 @@
 //! The window's thread: winit's events in, wishes out. It never compiles, draws a scene or waits for the GPU.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::Sender;
 use std::time::{Duration, Instant};
@@ -10,11 +11,12 @@ use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy}
 use winit::window::{Window, WindowId};
 
 use super::Options;
+use super::album::Album;
 use super::builder::{self, Order};
 use super::events::Event;
 use super::messages::{Look, Notice, Picture, Wish};
 use super::painter;
-use super::panel::{self, Panel};
+use super::panel::{self, CaptureDeed, Panel};
 use super::screen::Screen;
 use crate::diagnostic::{Diagnostic, Report, Severity};
 use crate::gpu::Gpu;
@@ -52,6 +54,7 @@ struct Open {
     look: Option<Look>,
     builder: Sender<Order>,
     painter: Sender<Wish>,
+    album: Album,
     /// A picture that was set and not presented yet.
     fresh: Option<Event>,
     noticed: Option<Instant>,
@@ -80,6 +83,8 @@ impl App<'_> {
         let painter =
             painter::start(gpu.clone(), shares_device, move |notice| drop(proxy.send_event(notice)));
         let wishes = painter.clone();
+        let proxy = self.proxy.clone();
+        let album = Album::new(gpu.clone(), move || drop(proxy.send_event(Notice::Captured)));
         let builder = builder::start(gpu, move |built| drop(wishes.send(Wish::Built(built))));
         let _ = builder.send(Order::Open(self.options.scene.clone()));
         let context = egui::Context::default();
@@ -98,6 +103,7 @@ impl App<'_> {
             look: None,
             builder,
             painter,
+            album,
             fresh: None,
             noticed: None,
             last_edit: None,
@@ -114,6 +120,9 @@ impl App<'_> {
 
     fn redraw(&mut self) {
         let Some(open) = &mut self.open else { return };
+        if let Some(object) = open.panel.take_choice() {
+            (self.on_event)(&Event::Chosen { object });
+        }
         let presented = open.draw();
         if presented {
             let _ = open.painter.send(Wish::Shown);
@@ -156,6 +165,7 @@ impl ApplicationHandler<Notice> for App<'_> {
                 Notice::File(text) => {
                     let _ = open.builder.send(open.panel.file_says(&text));
                 }
+                Notice::Captured => open.panel.follow(&mut open.album),
                 Notice::Identity(identity) => open.panel.know(identity),
                 Notice::Outline { outline, text } => open.panel.offer(outline, text),
                 Notice::Ready { pipelines } => return (app.on_event)(&Event::Ready { pipelines }),
@@ -183,6 +193,7 @@ impl ApplicationHandler<Notice> for App<'_> {
                     open.screen.resize(size.width, size.height);
                     open.window.request_redraw();
                 }
+                WindowEvent::DroppedFile(file) => open.drop_file(file),
                 WindowEvent::RedrawRequested => app.redraw(),
                 _ if response.repaint => open.window.request_redraw(),
                 _ => {}
@@ -222,6 +233,14 @@ impl Open {
         self.screen.set_picture(picture.texels);
     }
 
+    /// A scene that is let go over the window takes the place of the one there.
+    fn drop_file(&mut self, file: PathBuf) {
+        if file.extension().is_some_and(|ending| ending == "ron") {
+            let _ = self.builder.send(self.panel.open(&file));
+            self.window.request_redraw();
+        }
+    }
+
     /// Lays out and presents; whether the screen shows it.
     fn draw(&mut self) -> bool {
         let input = self.input.take_egui_input(&self.window);
@@ -229,6 +248,11 @@ impl Open {
         let mut reply = None;
         let mut output = self.context.run_ui(input, |ui| reply = Some(self.panel.show(ui, has_picture)));
         if let Some(reply) = reply {
+            match reply.capture {
+                Some(CaptureDeed::Take(order)) => self.album.take(*order),
+                Some(CaptureDeed::Stop) => self.album.stop(),
+                None => {}
+            }
             for order in reply.orders {
                 let _ = self.builder.send(order);
             }

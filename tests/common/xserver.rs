@@ -1,4 +1,6 @@
 //! A real X server with a real window in it: raytoy, run as a person would run it.
+//! Each test uses a part of it.
+#![allow(dead_code)]
 
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -125,20 +127,26 @@ impl Desk {
 
     /// Presses the first button at `from` and lets it go at `to`, at the speed of a hand.
     pub fn drag(&self, from: [i16; 2], to: [i16; 2]) {
-        let fake = |kind: u8, detail: u8, at: [i16; 2]| {
-            self.screen
-                .xtest_fake_input(kind, detail, 0, self.root, at[0], at[1], 0)
-                .expect("the server is up");
-            self.screen.flush().expect("the server is up");
-            std::thread::sleep(Duration::from_millis(150));
-        };
-        fake(xproto::MOTION_NOTIFY_EVENT, 0, from);
-        fake(xproto::BUTTON_PRESS_EVENT, 1, from);
+        self.hand(xproto::MOTION_NOTIFY_EVENT, 0, from);
+        self.hand(xproto::BUTTON_PRESS_EVENT, 1, from);
         for step in 1..=4 {
             let between = |i: usize| from[i] + (to[i] - from[i]) * step / 4;
-            fake(xproto::MOTION_NOTIFY_EVENT, 0, [between(0), between(1)]);
+            self.hand(xproto::MOTION_NOTIFY_EVENT, 0, [between(0), between(1)]);
         }
-        fake(xproto::BUTTON_RELEASE_EVENT, 1, to);
+        self.hand(xproto::BUTTON_RELEASE_EVENT, 1, to);
+    }
+
+    /// Presses the first button and lets it go.
+    pub fn click(&self, at: [i16; 2]) {
+        self.hand(xproto::MOTION_NOTIFY_EVENT, 0, at);
+        self.hand(xproto::BUTTON_PRESS_EVENT, 1, at);
+        self.hand(xproto::BUTTON_RELEASE_EVENT, 1, at);
+    }
+
+    fn hand(&self, kind: u8, detail: u8, at: [i16; 2]) {
+        self.screen.xtest_fake_input(kind, detail, 0, self.root, at[0], at[1], 0).expect("the server is up");
+        self.screen.flush().expect("the server is up");
+        std::thread::sleep(Duration::from_millis(150));
     }
 
     /// Processor time that raytoy has used so far.

@@ -7,7 +7,6 @@ use egui::{Align, Color32, Key, KeyboardShortcut, Layout, Modifiers, RichText, U
 
 use super::{Deeds, Panel};
 use crate::app::builder::Order;
-use crate::app::document::Document;
 use crate::app::focus::Focus;
 use crate::app::messages::Clock;
 use crate::edit::{Edit, NewValue};
@@ -69,6 +68,9 @@ impl Panel {
             let help = "show lights, the camera's target and bounds (G)";
             ui.toggle_value(&mut self.gizmos, "Gizmos").on_hover_text(help);
             self.focus_button(ui, deeds);
+            if ui.button("Save picture").on_hover_text("as PNG or EXR of any size, or as a movie").clicked() {
+                self.dialog.toggle();
+            }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| self.saving(ui));
         });
         ui.add_space(1.0);
@@ -127,14 +129,7 @@ impl Panel {
             },
         );
         if let Some(scene) = chosen {
-            self.document = Document::new(&scene);
-            self.outline = None;
-            self.selected = None;
-            self.camera = None;
-            self.focus = Focus::All;
-            self.picking.forget();
-            self.scene.clone_from(&scene);
-            deeds.orders.push(Order::Open(scene));
+            deeds.orders.push(self.open(&scene));
         }
     }
 

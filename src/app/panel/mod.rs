@@ -3,6 +3,7 @@
 //! In: pictures and outlines. Out: a [`Reply`] for each frame. It draws nothing itself and waits for nothing.
 
 mod bar;
+mod capture;
 mod facts;
 mod fields;
 mod inspector;
@@ -21,6 +22,7 @@ use std::time::Instant;
 
 use egui::Ui;
 
+pub use self::capture::Deed as CaptureDeed;
 pub use self::pending::Pending;
 use self::picking::Picking;
 pub use self::style::{ACCENT, apply as apply_style};
@@ -70,6 +72,7 @@ pub struct Panel {
     facts: Vec<(&'static str, String)>,
     /// Mistakes, or warnings of a scene that is shown.
     report: Option<(Report, String)>,
+    pub dialog: capture::Dialog,
     /// What could not be done, to be told once.
     notice: Option<String>,
 }
@@ -86,6 +89,7 @@ enum Tab {
 pub struct Reply {
     pub look: Look,
     pub orders: Vec<Order>,
+    pub capture: Option<capture::Deed>,
 }
 
 /// What is gathered while one frame is laid out.
@@ -123,8 +127,17 @@ impl Panel {
             listing: shader::Listing::default(),
             facts: vec![],
             report: None,
+            dialog: capture::Dialog::new(&scene.file_stem().unwrap_or_default().to_string_lossy()),
             notice: None,
         }
+    }
+
+    /// Goes on with another scene.
+    pub fn open(&mut self, scene: &Path) -> Order {
+        let known = Self::new(scene, std::mem::take(&mut self.adapter));
+        let (view, gizmos, tab) = (self.view, self.gizmos, self.tab);
+        *self = Self { view, gizmos, tab, ..known };
+        Order::Open(scene.to_owned())
     }
 
     /// A new picture is there. Its scene's camera wins over the author's where the file moved it.
@@ -194,8 +207,9 @@ impl Panel {
             }
         });
         let look = egui::CentralPanel::no_frame().show(ui, |ui| self.picture(ui, has_picture)).inner;
+        let capture = self.capture_dialog(ui);
         self.act(ui, &mut deeds);
-        Reply { look, orders: deeds.orders }
+        Reply { look, orders: deeds.orders, capture }
     }
 
     /// Turns what was done into the scene's next text, and this into the file's once the hand rests.

@@ -17,6 +17,8 @@ pub struct Picking {
     /// The pixel of a click that waits for an answer.
     wanted: Option<[u32; 2]>,
     seen: Option<Seen>,
+    /// Whether a click was answered that nobody has heard of.
+    is_new: bool,
     /// The outline of these objects.
     outline: Option<(Vec<u32>, TextureHandle)>,
 }
@@ -37,6 +39,11 @@ impl Panel {
         self.pick();
     }
 
+    /// Where a click has chosen something since the last call: the object's name, or none.
+    pub fn take_choice(&mut self) -> Option<Option<String>> {
+        std::mem::take(&mut self.picking.is_new).then(|| self.chosen().map(|node| node.label.clone()))
+    }
+
     /// Whether somebody wants to know what lies under the pixels.
     pub(super) fn asks(&self) -> bool {
         let is_open = self.picking.wanted.is_some() || !self.chosen_objects().is_empty();
@@ -52,6 +59,7 @@ impl Panel {
         let Some(identity) = &self.picking.identity else { return };
         let Some([x, y]) = self.picking.wanted.take() else { return };
         self.picking.seen = identity.at(x, y);
+        self.picking.is_new = true;
         self.selected = self.picking.seen.and_then(|seen| {
             let (outline, _) = self.outline.as_ref()?;
             outline.object(seen.object as usize).map(|node| node.path.clone())
@@ -93,9 +101,10 @@ impl Panel {
             seen.distance,
         );
         let (mut closes, mut opens) = (false, false);
-        egui::Area::new(egui::Id::unique("picked")).fixed_pos(area.min + egui::vec2(10.0, 10.0)).show(
-            ui.ctx(),
-            |ui| {
+        egui::Area::new(egui::Id::unique("picked"))
+            .order(egui::Order::Background)
+            .fixed_pos(area.min + egui::vec2(10.0, 10.0))
+            .show(ui.ctx(), |ui| {
                 let frame = egui::Frame::NONE.fill(Color32::from_black_alpha(170)).corner_radius(6);
                 frame.inner_margin(8.0).show(ui, |ui| {
                     let text = RichText::new(text).monospace().size(11.5).color(Color32::from_gray(225));
@@ -108,8 +117,7 @@ impl Panel {
                         closes = ui.link(RichText::new("close").color(ACCENT).small()).clicked();
                     });
                 });
-            },
-        );
+            });
         if opens && let Some(line) = line {
             self.notice = editor::open(&self.scene, line).err();
         }

@@ -1,0 +1,113 @@
+//! The panel in a real X server: what a hand does there goes to the file, and what goes to the file is merged.
+#![cfg(target_os = "linux")]
+
+#[path = "common/xserver.rs"]
+mod xserver;
+
+use std::fs;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use tempfile::TempDir;
+use xserver::{Desk, PATIENCE};
+
+const SIZE: [u16; 2] = [900, 700];
+/// The middle of the ball.
+const BALL: [i16; 2] = [290, 366];
+/// Above the ball, and inside of it where its radius is 1.3.
+const ABOVE: [i16; 2] = [290, 150];
+/// Beside the ball, however it grows.
+const CORNER: [i16; 2] = [8, 690];
+/// The number beside `radius`, where the ball is chosen.
+const RADIUS: [i16; 2] = [719, 399];
+const UNDO: [i16; 2] = [354, 15];
+const ONLY_TRY: [i16; 2] = [862, 15];
+
+const RED: [u8; 3] = [255, 0, 0];
+const BLACK: [u8; 3] = [0; 3];
+
+const SCENE: &str = "(
+    camera: (eye: (0, 0, 5), target: (0, 0, 0)), // looks along -z
+    lights: [],
+    objects: [
+        Sphere( name: \"ball\", radius: 1 /* one */, material: (color: 0, emission: (1, 0, 0))),
+    ],
+)
+";
+
+/// A window with the ball on the screen, chosen by a click on it; None, with a word, where there is no Xvfb.
+fn chosen() -> Option<(TempDir, PathBuf, Desk)> {
+    let home = TempDir::new().expect("there is room for a folder");
+    let file = home.path().join("scene.ron");
+    fs::write(&file, SCENE).expect("the folder is writable");
+    let Some(mut desk) = Desk::open(home.path(), "scene.ron", SIZE) else {
+        assert!(std::env::var_os("RAYTOY_REQUIRE_GPU").is_none(), "there is no Xvfb");
+        eprintln!("skipped: no Xvfb");
+        return None;
+    };
+    desk.wait_for_event("ready");
+    desk.wait_for_color(BALL[0], BALL[1], RED);
+    desk.click(BALL);
+    desk.wait_for_event("chosen");
+    Some((home, file, desk))
+}
+
+fn text(file: &PathBuf) -> String {
+    fs::read_to_string(file).expect("the scene is there")
+}
+
+/// Waits until the file is as it is `wanted`.
+fn wait_for_text(file: &PathBuf, wanted: impl Fn(&str) -> bool) -> String {
+    let until = Instant::now() + PATIENCE;
+    loop {
+        let now = text(file);
+        if wanted(&now) {
+            return now;
+        }
+        assert!(Instant::now() < until, "waited in vain; the file says {now}");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+}
+
+/// The number behind `radius: `, and the text without it.
+fn radius(text: &str) -> (f32, String) {
+    let (before, rest) = text.split_once("radius: ").expect("the ball has a radius");
+    let (number, after) = rest.split_once(' ').expect("a blank follows it");
+    (number.parse().expect("a number"), format!("{before}{after}"))
+}
+
+#[test]
+fn a_drag_changes_the_number_in_the_file_and_undo_takes_it_back() {
+    let Some((_home, file, mut desk)) = chosen() else { return };
+    let pipelines = |desk: &Desk| desk.seen.iter().filter_map(|e| e["pipelines"].as_u64()).max();
+    let made = pipelines(&desk);
+    desk.drag(RADIUS, [RADIUS[0] + 40, RADIUS[1]]);
+    let changed = wait_for_text(&file, |text| text != SCENE);
+    let (number, rest) = radius(&changed);
+    assert!(number > 1.1, "{number}");
+    assert_eq!(rest, radius(SCENE).1, "the rest of the text stays as it is");
+    desk.wait_for_color(ABOVE[0], ABOVE[1], RED);
+    desk.click(UNDO);
+    wait_for_text(&file, |text| text == SCENE);
+    desk.wait_for_color(ABOVE[0], ABOVE[1], BLACK);
+    desk.wait_for_event("unchanged");
+    assert_eq!(pipelines(&desk), made, "numbers make no pipeline");
+}
+
+#[test]
+fn what_is_only_tried_stays_out_of_the_file_and_is_merged_with_it() {
+    let Some((_home, file, desk)) = chosen() else { return };
+    desk.click(ONLY_TRY);
+    desk.drag(RADIUS, [RADIUS[0] + 40, RADIUS[1]]);
+    desk.wait_for_color(ABOVE[0], ABOVE[1], RED);
+    assert_eq!(text(&file), SCENE, "it is only tried");
+    // An editor saves something else meanwhile.
+    let outside = SCENE.replace("lights: []", "lights: [], background: (0, 1, 0)");
+    fs::write(&file, &outside).expect("the folder is writable");
+    desk.wait_for_color(CORNER[0], CORNER[1], [0, 255, 0]);
+    desk.wait_for_color(ABOVE[0], ABOVE[1], RED);
+    assert_eq!(text(&file), outside);
+    desk.click(ONLY_TRY);
+    let both = wait_for_text(&file, |text| text != outside);
+    assert!(radius(&both).0 > 1.1 && both.contains("background: (0, 1, 0)"), "{both}");
+}
