@@ -20,6 +20,8 @@ const ABOVE: [i16; 2] = [290, 150];
 const CORNER: [i16; 2] = [8, 690];
 /// The number beside `radius`, where the ball is chosen.
 const RADIUS: [i16; 2] = [719, 399];
+/// The color beside `emission`.
+const EMISSION: [i16; 2] = [740, 615];
 const UNDO: [i16; 2] = [354, 15];
 const ONLY_TRY: [i16; 2] = [862, 15];
 
@@ -49,6 +51,8 @@ fn chosen() -> Option<(TempDir, PathBuf, Desk)> {
     desk.wait_for_color(BALL[0], BALL[1], RED);
     desk.click(BALL);
     desk.wait_for_event("chosen");
+    // Its values are there once this one is.
+    desk.wait_for_color(EMISSION[0], EMISSION[1], RED);
     Some((home, file, desk))
 }
 
@@ -81,7 +85,7 @@ fn a_drag_changes_the_number_in_the_file_and_undo_takes_it_back() {
     let Some((_home, file, mut desk)) = chosen() else { return };
     let pipelines = |desk: &Desk| desk.seen.iter().filter_map(|e| e["pipelines"].as_u64()).max();
     let made = pipelines(&desk);
-    desk.drag(RADIUS, [RADIUS[0] + 40, RADIUS[1]]);
+    desk.drag(RADIUS, [RADIUS[0] + 80, RADIUS[1]]);
     let changed = wait_for_text(&file, |text| text != SCENE);
     let (number, rest) = radius(&changed);
     assert!(number > 1.1, "{number}");
@@ -98,7 +102,7 @@ fn a_drag_changes_the_number_in_the_file_and_undo_takes_it_back() {
 fn what_is_only_tried_stays_out_of_the_file_and_is_merged_with_it() {
     let Some((_home, file, desk)) = chosen() else { return };
     desk.click(ONLY_TRY);
-    desk.drag(RADIUS, [RADIUS[0] + 40, RADIUS[1]]);
+    desk.drag(RADIUS, [RADIUS[0] + 80, RADIUS[1]]);
     desk.wait_for_color(ABOVE[0], ABOVE[1], RED);
     assert_eq!(text(&file), SCENE, "it is only tried");
     // An editor saves something else meanwhile.

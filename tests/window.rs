@@ -212,3 +212,20 @@ fn a_scene_that_reads_the_clock_moves_and_takes_numbers_too() {
     save_by_rename(&home.path().join("scene.ron"), &plain("Pulse(rate: 0)"));
     desk.wait_for_color(AT.0, AT.1, [0; 3]);
 }
+
+#[test]
+fn a_lost_device_comes_back_with_the_same_picture() {
+    let Some((_home, mut desk)) = opened_and_ready(&plain("0.4")) else { return };
+    let shows = |desk: &Desk| desk.wait_for_color(AT.0, AT.1, [level(0.4); 3]);
+    shows(&desk);
+    let mut seed = 1u64;
+    for _ in 0..20 {
+        desk.say("lose-device");
+        desk.wait_for_event("restarted");
+        // In the midst of what follows, or after it.
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        std::thread::sleep(Duration::from_millis(seed >> 56));
+        shows(&desk);
+    }
+    desk.wait_for_event("presented");
+}

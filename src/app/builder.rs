@@ -32,6 +32,8 @@ pub enum Order {
     Focus(Focus),
     /// The last version is on the screen: there is time for its live pipeline.
     Shown,
+    /// No more.
+    End,
 }
 
 /// What came of it.
@@ -80,7 +82,11 @@ pub fn start(gpu: Gpu, done: impl Fn(Built) + Send + 'static) -> Sender<Order> {
             without_live: None,
         };
         while let Ok(first) = receiver.recv() {
-            builder.obey(std::iter::once(first).chain(receiver.try_iter()), &done);
+            let orders: Vec<Order> = std::iter::once(first).chain(receiver.try_iter()).collect();
+            if orders.iter().any(|order| matches!(order, Order::End)) {
+                return;
+            }
+            builder.obey(orders, &done);
         }
     });
     sender
@@ -103,7 +109,7 @@ struct Builder {
 
 impl Builder {
     /// Takes all orders that have come as one.
-    fn obey(&mut self, orders: impl Iterator<Item = Order>, done: &impl Fn(Built)) {
+    fn obey(&mut self, orders: Vec<Order>, done: &impl Fn(Built)) {
         let mut is_stale = false;
         let mut is_shown = false;
         for order in orders {
@@ -117,7 +123,7 @@ impl Builder {
                 }
                 Order::Focus(focus) => self.focus = focus,
                 Order::Edited(text) => self.edited = text,
-                Order::Changed => {}
+                Order::Changed | Order::End => {}
                 Order::Shown => is_shown = true,
             }
         }

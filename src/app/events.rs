@@ -8,6 +8,8 @@ use serde::Serialize;
 pub enum Event {
     /// The window is there.
     Opened { adapter: String },
+    /// The device was lost, and this one took its place.
+    Restarted { adapter: String, why: String },
     /// From now on numbers can be edited without another pipeline.
     Ready { pipelines: u32 },
     /// A click has chosen an object, or nothing.

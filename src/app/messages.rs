@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use super::Remote;
 use super::builder::Built;
 use super::events::Change;
 use crate::Compiled;
@@ -79,6 +80,10 @@ pub enum Notice {
     Captured,
     /// The scene is wrong; nothing else changes.
     Broken(Report),
+    /// A device is gone, and all that stood on it.
+    Lost(String),
+    /// What a driving program asks for.
+    Remote(Remote),
     /// The GPU failed.
     Failed(GpuError),
 }

@@ -13,6 +13,7 @@ mod document;
 mod drawable;
 mod easel;
 mod editor;
+mod engine;
 mod events;
 mod focus;
 mod messages;
@@ -23,6 +24,8 @@ mod screen;
 mod window;
 
 use std::path::PathBuf;
+use std::sync::mpsc::Receiver;
+use std::sync::{Arc, Mutex};
 
 pub use events::Event;
 
@@ -35,6 +38,15 @@ pub struct Options {
     /// Of the window's inside, in points.
     pub size: [u32; 2],
     pub adapter: AdapterChoice,
+    /// What a program that drives the window asks for.
+    pub remote: Option<Arc<Mutex<Receiver<Remote>>>>,
+}
+
+/// Something that a driving program can do and a hand cannot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Remote {
+    /// Ends the devices, as a driver does that gives up.
+    LoseDevice,
 }
 
 /// Opens a window and returns when it is closed. `on_event` is told what happens.

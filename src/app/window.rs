@@ -1,8 +1,8 @@
 //! The window's thread: winit's events in, wishes out. It never compiles, draws a scene or waits for the GPU.
 
-use std::path::PathBuf;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::mpsc::Sender;
 use std::time::{Duration, Instant};
 
 use winit::application::ApplicationHandler;
@@ -10,24 +10,23 @@ use winit::event::{StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
 use winit::window::{Window, WindowId};
 
-use super::Options;
-use super::album::Album;
-use super::builder::{self, Order};
+use super::builder::Order;
+use super::engine::{self, Engine};
 use super::events::Event;
 use super::messages::{Look, Notice, Picture, Wish};
-use super::painter;
-use super::panel::{self, CaptureDeed, Panel};
-use super::screen::Screen;
+use super::panel::{CaptureDeed, Panel};
+use super::{Options, Remote};
 use crate::diagnostic::{Diagnostic, Report, Severity};
-use crate::gpu::Gpu;
+use crate::gpu::GpuError;
 
 /// Opens the window and returns when it is closed.
 pub fn run(options: Options, on_event: &dyn Fn(&Event)) -> Result<(), String> {
-    let events = EventLoop::<Notice>::with_user_event().build().map_err(|error| {
+    let events = EventLoop::<(u32, Notice)>::with_user_event().build().map_err(|error| {
         let instead = "without a display, draw to a file: raytoy render SCENE -o out.png";
         format!("no window can be opened: {error}\n{instead}")
     })?;
     let proxy = events.create_proxy();
+    engine::listen(&options, proxy.clone());
     let mut app = App { options, on_event, proxy, open: None, failure: None, blocked: Duration::ZERO };
     events.run_app(&mut app).map_err(|error| error.to_string())?;
     app.failure.map_or(Ok(()), Err)
@@ -36,7 +35,7 @@ pub fn run(options: Options, on_event: &dyn Fn(&Event)) -> Result<(), String> {
 struct App<'a> {
     options: Options,
     on_event: &'a dyn Fn(&Event),
-    proxy: EventLoopProxy<Notice>,
+    proxy: EventLoopProxy<(u32, Notice)>,
     open: Option<Open>,
     /// Why the window had to close.
     failure: Option<String>,
@@ -44,17 +43,19 @@ struct App<'a> {
     blocked: Duration,
 }
 
+/// A driver that gives up this often before it has drawn anything does not come back.
+const MOST_IN_VAIN: u32 = 4;
+
 /// What exists while the window does.
 struct Open {
     window: Arc<Window>,
-    screen: Screen,
-    context: egui::Context,
-    input: egui_winit::State,
+    engine: Engine,
+    /// How many devices were lost before this one.
+    restarts: u32,
+    /// How many since a picture was there.
+    vain: u32,
     panel: Panel,
     look: Option<Look>,
-    builder: Sender<Order>,
-    painter: Sender<Wish>,
-    album: Album,
     /// A picture that was set and not presented yet.
     fresh: Option<Event>,
     noticed: Option<Instant>,
@@ -69,46 +70,53 @@ impl App<'_> {
             .with_title("raytoy")
             .with_inner_size(winit::dpi::LogicalSize::new(width, height));
         let window = Arc::new(event_loop.create_window(attributes).map_err(|e| e.to_string())?);
-        let screen = Screen::new(window.clone(), event_loop.owned_display_handle(), &self.options.adapter)?;
-        // A software driver compiles while it draws, so the picture gets a device of its own.
-        let shares_device = !screen.gpu.is_software();
-        let gpu = if shares_device {
-            screen.gpu.clone()
-        } else {
-            Gpu::headless(&self.options.adapter).map_err(|e| e.to_string())?
+        let engine = self.engine(&window, event_loop, 0, &self.options.scene)?;
+        let panel = Panel::new(&self.options.scene, engine.adapter());
+        (self.on_event)(&Event::Opened { adapter: engine.adapter() });
+        Ok(Open::new(window, engine, 0, panel))
+    }
+
+    /// Starts the device with this number, counted from 0, and all that stands on it.
+    fn engine(
+        &self,
+        window: &Arc<Window>,
+        event_loop: &ActiveEventLoop,
+        number: u32,
+        scene: &Path,
+    ) -> Result<Engine, String> {
+        let proxy = self.proxy.clone();
+        // A loop that has ended wants no more news.
+        let notify = move |notice| drop(proxy.send_event((number, notice)));
+        Engine::start(window, event_loop.owned_display_handle(), &self.options.adapter, scene, notify)
+    }
+
+    /// Goes on with another device in place of one that is lost. What the author has done stays.
+    fn restart(&mut self, event_loop: &ActiveEventLoop, why: String) {
+        let Some(open) = self.open.take() else { return };
+        let Open { window, engine, restarts, vain, mut panel, .. } = open;
+        let memory = engine.context.memory(Clone::clone);
+        // The surface has to let go of the window before another one takes it.
+        drop(engine);
+        let number = restarts + 1;
+        let started = match vain < MOST_IN_VAIN {
+            true => self.engine(&window, event_loop, number, panel.scene()),
+            false => Err(format!("the GPU is lost again and again: {why}")),
         };
-        let adapter = gpu.describe();
-        let proxy = self.proxy.clone();
-        // A loop that has ended wants no more pictures.
-        let painter =
-            painter::start(gpu.clone(), shares_device, move |notice| drop(proxy.send_event(notice)));
-        let wishes = painter.clone();
-        let proxy = self.proxy.clone();
-        let album = Album::new(gpu.clone(), move || drop(proxy.send_event(Notice::Captured)));
-        let builder = builder::start(gpu, move |built| drop(wishes.send(Wish::Built(built))));
-        let _ = builder.send(Order::Open(self.options.scene.clone()));
-        let context = egui::Context::default();
-        panel::apply_style(&context);
-        let side = screen.gpu.device.limits().max_texture_dimension_2d as usize;
-        let input =
-            egui_winit::State::new(context.clone(), egui::ViewportId::ROOT, &*window, None, None, Some(side));
-        let panel = Panel::new(&self.options.scene, screen.gpu.adapter.get_info().name);
-        (self.on_event)(&Event::Opened { adapter });
-        Ok(Open {
-            window,
-            screen,
-            context,
-            input,
-            panel,
-            look: None,
-            builder,
-            painter,
-            album,
-            fresh: None,
-            noticed: None,
-            last_edit: None,
-            wake: None,
-        })
+        match started {
+            Ok(engine) => {
+                engine.context.memory_mut(|fresh| *fresh = memory);
+                for order in panel.begin_again() {
+                    let _ = engine.builder.send(order);
+                }
+                window.request_redraw();
+                (self.on_event)(&Event::Restarted { adapter: engine.adapter(), why });
+                self.open = Some(Open { vain: vain + 1, ..Open::new(window, engine, number, panel) });
+            }
+            Err(why) => {
+                self.failure = Some(why);
+                event_loop.exit();
+            }
+        }
     }
 
     /// Keeps the longest time that the thread was busy with one event.
@@ -125,8 +133,8 @@ impl App<'_> {
         }
         let presented = open.draw();
         if presented {
-            let _ = open.painter.send(Wish::Shown);
-            let _ = open.builder.send(Order::Shown);
+            let _ = open.engine.painter.send(Wish::Shown);
+            let _ = open.engine.builder.send(Order::Shown);
         }
         if presented && let Some(mut event) = open.fresh.take() {
             if let Event::Presented { since_change_ms, blocked_ms, .. } = &mut event {
@@ -139,7 +147,7 @@ impl App<'_> {
     }
 }
 
-impl ApplicationHandler<Notice> for App<'_> {
+impl ApplicationHandler<(u32, Notice)> for App<'_> {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
         if self.open.is_some() {
             return;
@@ -153,19 +161,27 @@ impl ApplicationHandler<Notice> for App<'_> {
         }
     }
 
-    fn user_event(&mut self, _: &ActiveEventLoop, notice: Notice) {
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, (device, notice): (u32, Notice)) {
         self.timed(|app| {
             let Some(open) = &mut app.open else { return };
+            // What a lost device still tells is of no use.
+            if device != open.restarts && !matches!(notice, Notice::Remote(_)) {
+                return;
+            }
             match notice {
+                Notice::Lost(why) | Notice::Failed(GpuError::Lost(why)) => {
+                    return app.restart(event_loop, why);
+                }
+                Notice::Remote(Remote::LoseDevice) => return open.engine.lose(),
                 Notice::Picture(picture) => open.take(picture),
                 Notice::Unchanged(warnings) => {
                     (app.on_event)(&Event::Unchanged);
                     open.panel.mend(&warnings);
                 }
                 Notice::File(text) => {
-                    let _ = open.builder.send(open.panel.file_says(&text));
+                    let _ = open.engine.builder.send(open.panel.file_says(&text));
                 }
-                Notice::Captured => open.panel.follow(&mut open.album),
+                Notice::Captured => open.panel.follow(&mut open.engine.album),
                 Notice::Identity(identity) => open.panel.know(identity),
                 Notice::Outline { outline, text } => open.panel.offer(outline, text),
                 Notice::Ready { pipelines } => return (app.on_event)(&Event::Ready { pipelines }),
@@ -186,11 +202,11 @@ impl ApplicationHandler<Notice> for App<'_> {
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
         self.timed(|app| {
             let Some(open) = &mut app.open else { return };
-            let response = open.input.on_window_event(&open.window, &event);
+            let response = open.engine.input.on_window_event(&open.window, &event);
             match event {
                 WindowEvent::CloseRequested => event_loop.exit(),
                 WindowEvent::Resized(size) => {
-                    open.screen.resize(size.width, size.height);
+                    open.engine.screen.resize(size.width, size.height);
                     open.window.request_redraw();
                 }
                 WindowEvent::DroppedFile(file) => open.drop_file(file),
@@ -215,7 +231,13 @@ impl ApplicationHandler<Notice> for App<'_> {
 }
 
 impl Open {
+    fn new(window: Arc<Window>, engine: Engine, restarts: u32, panel: Panel) -> Self {
+        let (look, fresh, noticed, last_edit, wake) = (None, None, None, None, None);
+        Self { window, engine, restarts, vain: 0, panel, look, fresh, noticed, last_edit, wake }
+    }
+
     fn take(&mut self, picture: Picture) {
+        self.vain = 0;
         let is_new_edit = self.last_edit != Some(picture.edit);
         self.last_edit = Some(picture.edit);
         self.panel.take(&picture, is_new_edit);
@@ -230,42 +252,46 @@ impl Open {
             blocked_ms: 0.0,
         });
         self.window.set_title(&format!("{} - raytoy", picture.compiled.scene.name));
-        self.screen.set_picture(picture.texels);
+        self.engine.screen.set_picture(picture.texels);
     }
 
     /// A scene that is let go over the window takes the place of the one there.
     fn drop_file(&mut self, file: PathBuf) {
         if file.extension().is_some_and(|ending| ending == "ron") {
-            let _ = self.builder.send(self.panel.open(&file));
+            let _ = self.engine.builder.send(self.panel.open(&file));
             self.window.request_redraw();
         }
     }
 
     /// Lays out and presents; whether the screen shows it.
     fn draw(&mut self) -> bool {
-        let input = self.input.take_egui_input(&self.window);
-        let has_picture = self.screen.has_picture();
+        let input = self.engine.input.take_egui_input(&self.window);
+        let has_picture = self.engine.screen.has_picture();
         let mut reply = None;
-        let mut output = self.context.run_ui(input, |ui| reply = Some(self.panel.show(ui, has_picture)));
+        let mut output =
+            self.engine.context.run_ui(input, |ui| reply = Some(self.panel.show(ui, has_picture)));
         if let Some(reply) = reply {
             match reply.capture {
-                Some(CaptureDeed::Take(order)) => self.album.take(*order),
-                Some(CaptureDeed::Stop) => self.album.stop(),
+                Some(CaptureDeed::Take(order)) => self.engine.album.take(*order),
+                Some(CaptureDeed::Stop) => self.engine.album.stop(),
                 None => {}
             }
             for order in reply.orders {
-                let _ = self.builder.send(order);
+                let _ = self.engine.builder.send(order);
             }
             if self.look != Some(reply.look) {
                 self.look = Some(reply.look);
-                let _ = self.painter.send(Wish::Look(reply.look));
+                let _ = self.engine.painter.send(Wish::Look(reply.look));
             }
         }
         let delays = output.viewport_output.values().map(|viewport| viewport.repaint_delay);
         let delay = delays.min().unwrap_or(Duration::MAX);
         self.wake = Instant::now().checked_add(delay).filter(|_| delay < Duration::from_secs(3600));
-        self.input.handle_platform_output(&self.window, std::mem::take(&mut output.platform_output));
+        self.engine.input.handle_platform_output(&self.window, std::mem::take(&mut output.platform_output));
         let place = self.look.map_or(([0; 2], 1), |look| (look.corner, look.size[0]));
-        self.screen.present(place, &self.context, output, &self.window)
+        let Engine { screen, context, .. } = &mut self.engine;
+        // egui's renderer panics where the device is lost, which is about to be told.
+        catch_unwind(AssertUnwindSafe(|| screen.present(place, context, output, &self.window)))
+            .unwrap_or(false)
     }
 }

@@ -1,5 +1,9 @@
 //! `raytoy view`: a scene in a window.
 
+use std::io::BufRead;
+use std::sync::mpsc::{Receiver, channel};
+use std::sync::{Arc, Mutex};
+
 use super::args::ViewOptions;
 use super::{Failure, Result};
 use crate::app;
@@ -15,7 +19,25 @@ pub fn run(options: &ViewOptions) -> Result {
             println!("{}", serde_json::to_string(event).expect("numbers and strings"));
         }
     };
-    let window =
-        app::Options { scene: options.scene.clone(), size: options.size, adapter: options.adapter.clone() };
+    let window = app::Options {
+        scene: options.scene.clone(),
+        size: options.size,
+        adapter: options.adapter.clone(),
+        remote: options.events.then(|| Arc::new(Mutex::new(remote()))),
+    };
     app::run(window, &on_event).map_err(Failure::Call)
+}
+
+/// What a program that drives the window writes to it, a word a line.
+fn remote() -> Receiver<app::Remote> {
+    let (sender, remote) = channel();
+    std::thread::spawn(move || {
+        for line in std::io::stdin().lock().lines().map_while(std::io::Result::ok) {
+            match line.trim() {
+                "lose-device" => drop(sender.send(app::Remote::LoseDevice)),
+                other => eprintln!("no such word: `{other}`; known: lose-device"),
+            }
+        }
+    });
+    remote
 }

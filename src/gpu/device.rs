@@ -99,6 +99,11 @@ impl Gpu {
         Ok(Self { adapter, device, queue, made: Arc::default() })
     }
 
+    /// Calls `told` from another thread when the device is gone, and all that was made on it; with the reason.
+    pub fn when_lost(&self, told: impl Fn(String) + Send + 'static) {
+        self.device.set_device_lost_callback(move |_, why| told(why));
+    }
+
     /// Whether the adapter is the processor itself.
     pub fn is_software(&self) -> bool {
         self.adapter.get_info().device_type == wgpu::DeviceType::Cpu

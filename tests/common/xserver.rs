@@ -2,7 +2,7 @@
 //! Each test uses a part of it.
 #![allow(dead_code)]
 
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
@@ -58,6 +58,7 @@ impl Desk {
             .env("DISPLAY", &display)
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("WAYLAND_SOCKET")
+            .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
             .expect("raytoy starts");
@@ -89,6 +90,12 @@ impl Desk {
                 Err(RecvTimeoutError::Disconnected) => panic!("raytoy ended before {what}"),
             }
         }
+    }
+
+    /// Says a word that only a driving program can.
+    pub fn say(&mut self, word: &str) {
+        let input = self.raytoy.stdin.as_mut().expect("it is piped");
+        writeln!(input, "{word}").expect("raytoy listens");
     }
 
     /// The next event called `name`.

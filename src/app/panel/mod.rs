@@ -140,6 +140,17 @@ impl Panel {
         Order::Open(scene.to_owned())
     }
 
+    pub fn scene(&self) -> &Path {
+        &self.scene
+    }
+
+    /// Another device takes the place of a lost one: what its builder has to know.
+    pub fn begin_again(&mut self) -> [Order; 2] {
+        self.picking = Picking::default();
+        self.look = None;
+        [Order::Edited(self.document.overlay()), Order::Focus(self.focus.clone())]
+    }
+
     /// A new picture is there. Its scene's camera wins over the author's where the file moved it.
     pub fn take(&mut self, picture: &Picture, is_new_edit: bool) {
         let camera = picture.compiled.scene.camera;
