@@ -99,7 +99,7 @@ impl Gpu {
         Ok(Self { adapter, device, queue, made: Arc::default() })
     }
 
-    /// Calls `told` from another thread when the device is gone, and all that was made on it; with the reason.
+    /// Calls `told` from another thread, with the reason, when the device and all that was made on it is gone.
     pub fn when_lost(&self, told: impl Fn(String) + Send + 'static) {
         self.device.set_device_lost_callback(move |_, why| told(why));
     }
