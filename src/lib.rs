@@ -21,6 +21,7 @@ pub mod app;
 pub mod capture;
 pub mod cli;
 pub mod diagnostic;
+pub mod difference;
 pub mod edit;
 pub mod gpu;
 pub mod ir;

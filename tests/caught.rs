@@ -9,10 +9,11 @@ use std::ops::ControlFlow;
 use common::expect_none;
 use image::RgbImage;
 use raytoy::Compiled;
+use raytoy::difference::rgb;
 use raytoy::gpu::{Gpu, Moment, Renderer};
 use raytoy::judge::{Limits, Verdict, judge};
 use raytoy::laws::World;
-use raytoy::suite::{Settings, rgb};
+use raytoy::suite::Settings;
 use raytoy::wgsl::Mode;
 
 const BODIES: [&str; 10] = [

@@ -201,8 +201,19 @@ fn an_unknown_name_gets_the_nearest() {
 
 #[test]
 fn help_is_as_its_goldens_say() {
-    let commands =
-        ["", "view", "render", "scene", "check", "test", "generate", "textures", "shapes", "completions"];
+    let commands = [
+        "",
+        "view",
+        "render",
+        "scene",
+        "check",
+        "test",
+        "diff",
+        "generate",
+        "textures",
+        "shapes",
+        "completions",
+    ];
     expect_none(commands.into_iter().filter_map(|command| {
         let (arguments, golden) = match command {
             "" => (vec!["--help"], "tests/cases/help/raytoy.txt".to_owned()),

@@ -3,10 +3,11 @@
 mod common;
 
 use common::{expect_compiled, expect_none, files, is_blessing, outcome, picture, read, root};
+use raytoy::difference::rgb;
 use raytoy::gpu::View;
 use raytoy::judge::{Limits, Verdict, judge};
 use raytoy::sources::Sources;
-use raytoy::suite::{Bench, Goldens, Run, find, html, human, rgb, run};
+use raytoy::suite::{Bench, Goldens, Run, find, html, human, run};
 use raytoy::wgsl::Mode;
 
 /// What of the pixels must agree between live and baked numbers to one step of a channel.

@@ -7,7 +7,7 @@ use raytoy::library::{Family, Library};
 use raytoy::sources::Sources;
 
 /// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
-const IMPORTS: [(&str, &[&str]); 20] = [
+const IMPORTS: [(&str, &[&str]); 21] = [
     ("diagnostic", &[]),
     ("sources", &["diagnostic"]),
     ("scene", &["diagnostic"]),
@@ -23,10 +23,23 @@ const IMPORTS: [(&str, &[&str]); 20] = [
     ("stage", &["diagnostic", "sources", "Compiled", "compile"]),
     ("watch", &["sources"]),
     ("judge", &[]),
+    ("difference", &["gpu", "judge", "scene", "wgsl", "Compiled", "on_deep_stack"]),
     ("laws", &["diagnostic", "gpu", "library", "sources", "wgsl", "Compiled", "compile"]),
     (
         "suite",
-        &["diagnostic", "gpu", "judge", "laws", "library", "scene", "sources", "wgsl", "Compiled", "compile"],
+        &[
+            "diagnostic",
+            "difference",
+            "gpu",
+            "judge",
+            "laws",
+            "library",
+            "scene",
+            "sources",
+            "wgsl",
+            "Compiled",
+            "compile",
+        ],
     ),
     (
         "app",
@@ -55,6 +68,7 @@ const IMPORTS: [(&str, &[&str]); 20] = [
             "app",
             "capture",
             "diagnostic",
+            "difference",
             "gpu",
             "ir",
             "library",
@@ -76,7 +90,7 @@ const RESERVED: [(&str, &[&str]); 9] = [
     ("egui::", &["app"]),
     ("notify::", &["watch"]),
     ("clap::", &["cli"]),
-    ("png::", &["capture", "suite"]),
+    ("png::", &["capture"]),
     ("std::fs", &["sources", "suite", "app", "capture", "cli", "watch", "build"]),
     ("println!", &["cli", "build"]),
     // One line in gpu: an error that slips through all scopes has nowhere else to go.

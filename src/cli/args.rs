@@ -46,6 +46,8 @@ pub enum Command {
     },
     /// Compare scenes with their goldens, and hold textures and shapes to their laws
     Test(TestOptions),
+    /// Tell what differs between two scenes: values, shader and picture
+    Diff(DiffOptions),
     /// Print the shader of a scene, the scene's own functions first
     Generate {
         /// A scene, or - for standard input
@@ -174,6 +176,58 @@ pub struct TestOptions {
     /// may lie in x.NAME.png
     #[arg(long, value_name = "NAME", value_parser = adapter)]
     pub adapter: Option<AdapterChoice>,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+Scenes are .ron files, or .png files that raytoy drew, which carry their scenes. One of them may
+be - for standard input, which is taken as if it lay beside the other one.
+
+The exit code is 0 also where something differs. With --exit-code it is 1 then, 0 where values,
+shader and all pixels are the same, and 2 where a scene or the call is wrong.
+
+Examples:
+  raytoy diff old.ron new.ron
+  raytoy diff old.ron new.ron --report diff.html  a page with both pictures beside each other
+  raytoy diff drawn.png now.ron --no-picture      what changed since a picture was drawn
+  git show HEAD:scenes/table.ron | raytoy diff - scenes/table.ron")]
+pub struct DiffOptions {
+    /// What was
+    pub old: PathBuf,
+    /// What is
+    pub new: PathBuf,
+    /// Draw no pictures
+    #[arg(long)]
+    pub no_picture: bool,
+    /// Write a page with the pictures, the values and the diff of the shaders
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
+    /// What goes to standard output
+    #[arg(long, value_enum, default_value = "human")]
+    pub format: DiffFormat,
+    /// Exit with 1 where something differs
+    #[arg(long)]
+    pub exit_code: bool,
+    /// Width and height of the pictures
+    #[arg(long, value_name = "WxH", default_value = "320x180", value_parser = size)]
+    pub size: [u32; 2],
+    /// Samples for each pixel; one goes through its centre
+    #[arg(long, value_name = "N", default_value_t = 4)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=65536))]
+    pub samples: u32,
+    /// Seconds since the scenes began
+    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
+    pub time: f32,
+    /// fastest, software, or a part of its name
+    #[arg(long, default_value = "fastest", value_parser = adapter)]
+    pub adapter: AdapterChoice,
+}
+
+/// How the difference of two scenes is told.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum DiffFormat {
+    Human,
+    Json,
 }
 
 /// How the outcome of tests is told.

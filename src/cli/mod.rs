@@ -4,6 +4,7 @@
 
 mod args;
 mod check;
+mod diff;
 mod frames;
 mod gallery;
 mod generate;
@@ -30,7 +31,7 @@ use crate::{Compiled, compile};
 
 /// Why a command did not do what it was asked for.
 pub enum Failure {
-    /// A scene is wrong; the report has been printed.
+    /// A scene is wrong, a test failed, or the code is to say that scenes differ: all has been printed.
     Scene,
     /// The call is wrong, or the machine: what to tell.
     Call(String),
@@ -52,6 +53,7 @@ pub fn run() -> ExitCode {
         Command::Scene { picture } => scene::run(&picture),
         Command::Check { paths } => check::run(&paths),
         Command::Test(options) => test::run(&options),
+        Command::Diff(options) => diff::run(&options),
         Command::Generate { scene, live, output } => generate::run(&scene, live, output.as_deref()),
         Command::Textures { name } => list::run(Family::Texture, name.as_deref()),
         Command::Shapes { name } => list::run(Family::Shape, name.as_deref()),

@@ -7,23 +7,33 @@ use super::{Failure, Result, print_result};
 use crate::capture::Origin;
 
 pub fn run(picture: &Path) -> Result {
-    let name = picture.display();
-    let bytes = if picture == Path::new("-") {
-        let mut bytes = vec![];
-        std::io::stdin().read_to_end(&mut bytes)?;
-        bytes
-    } else if picture.exists() {
-        std::fs::read(picture).map_err(|error| Failure::Call(format!("cannot read `{name}`: {error}")))?
-    } else {
-        return Err(Failure::Call(format!("there is no file `{name}`")));
-    };
-    let origin = Origin::read(&bytes)
-        .map_err(|why| Failure::Call(format!("cannot read `{name}` as a PNG file: {why}")))?
-        .ok_or_else(|| {
-            Failure::Call(format!("`{name}` carries no scene; PNG files as raytoy writes them do"))
-        })?;
+    let origin = origin(picture, &bytes(picture)?)?;
     for (what, text) in &origin.notes {
         eprintln!("{what}: {text}");
     }
     print_result(&origin.scene)
+}
+
+/// What is at `path`, or comes by standard input where that is `-`.
+pub fn bytes(path: &Path) -> Result<Vec<u8>> {
+    let name = path.display();
+    if path == Path::new("-") {
+        let mut bytes = vec![];
+        std::io::stdin().read_to_end(&mut bytes)?;
+        Ok(bytes)
+    } else if path.exists() {
+        std::fs::read(path).map_err(|error| Failure::Call(format!("cannot read `{name}`: {error}")))
+    } else {
+        Err(Failure::Call(format!("there is no file `{name}`")))
+    }
+}
+
+/// What the PNG file of `bytes` carries.
+pub fn origin(picture: &Path, bytes: &[u8]) -> Result<Origin> {
+    let name = picture.display();
+    let read = Origin::read(bytes)
+        .map_err(|why| Failure::Call(format!("cannot read `{name}` as a PNG file: {why}")))?;
+    read.ok_or_else(|| {
+        Failure::Call(format!("`{name}` carries no scene; PNG files as raytoy writes them do"))
+    })
 }

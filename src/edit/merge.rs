@@ -2,7 +2,7 @@
 
 use super::Edit;
 use super::place::read;
-use crate::scene::{Kind, Path, Step, Value};
+use crate::scene::{Kind, Path, Step, Value, found_again};
 
 /// A value that was changed here and in the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -142,26 +142,9 @@ fn counterpart(path: &Path, root: &Value, other: &Value) -> Option<Path> {
     Some(Path(steps))
 }
 
-/// For each of `mine`, which of `theirs` it is: what has the same name or says the same, in the same order;
-/// then what has the same name elsewhere; then what stands alone between the same neighbours.
+/// For each of `mine`, which of `theirs` it is; also what stands alone between the same neighbours.
 fn aligned(mine: &[Value], theirs: &[Value]) -> Vec<Option<usize>> {
-    let name = |value: &Value| match value.at(&Path::default().field("name")).map(|name| &name.kind) {
-        Some(Kind::Text(name)) => Some(name.clone()),
-        _ => None,
-    };
-    let names: Vec<_> = mine.iter().map(name).collect();
-    let their_names: Vec<_> = theirs.iter().map(name).collect();
-    let is_same = |i: usize, j: usize| match (&names[i], &their_names[j]) {
-        (None, None) => mine[i].says_the_same_as(&theirs[j]),
-        (a, b) => a == b,
-    };
-    let mut found = longest_common(mine.len(), theirs.len(), is_same);
-    for i in 0..mine.len() {
-        let is_free = |j: &usize| !found.contains(&Some(*j));
-        if found[i].is_none() && names[i].is_some() {
-            found[i] = (0..theirs.len()).find(|j| is_free(j) && their_names[*j] == names[i]);
-        }
-    }
+    let mut found = found_again(mine, theirs);
     // Runs of what is left, between the same neighbours: as many on both sides are the same ones, changed.
     let mut i = 0;
     while i < mine.len() {
@@ -177,39 +160,6 @@ fn aligned(mine: &[Value], theirs: &[Value]) -> Vec<Option<usize>> {
             }
         }
         i += run.max(1);
-    }
-    found
-}
-
-/// The longest way to pair things of two lists in order, so that pairs are the same.
-fn longest_common(count: usize, others: usize, is_same: impl Fn(usize, usize) -> bool) -> Vec<Option<usize>> {
-    let shorter = count.min(others);
-    let head = (0..shorter).take_while(|i| is_same(*i, *i)).count();
-    let tail = (1..=shorter - head).take_while(|i| is_same(count - i, others - i)).count();
-    let mut found: Vec<Option<usize>> = vec![None; count];
-    (0..head).for_each(|i| found[i] = Some(i));
-    (1..=tail).for_each(|i| found[count - i] = Some(others - i));
-    // lengths[i][j] is that of the rests from head + i and head + j on.
-    let (rows, columns) = (count - head - tail, others - head - tail);
-    let same: Vec<Vec<bool>> =
-        (0..rows).map(|i| (0..columns).map(|j| is_same(head + i, head + j)).collect()).collect();
-    let mut lengths = vec![vec![0_usize; columns + 1]; rows + 1];
-    for i in (0..rows).rev() {
-        for j in (0..columns).rev() {
-            let skip = lengths[i + 1][j].max(lengths[i][j + 1]);
-            lengths[i][j] = if same[i][j] { 1 + lengths[i + 1][j + 1] } else { skip };
-        }
-    }
-    let (mut i, mut j) = (0, 0);
-    while i < rows && j < columns {
-        if same[i][j] {
-            found[head + i] = Some(head + j);
-            (i, j) = (i + 1, j + 1);
-        } else if lengths[i + 1][j] >= lengths[i][j + 1] {
-            i += 1;
-        } else {
-            j += 1;
-        }
     }
     found
 }

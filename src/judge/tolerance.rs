@@ -61,6 +61,11 @@ pub fn outliers(expected: &RgbImage, actual: &RgbImage, tolerance: u8) -> Outlie
 }
 
 impl Area {
+    /// Left, top, right, bottom.
+    pub fn corners(self) -> [u32; 4] {
+        [self.x[0], self.y[0], self.x[1], self.y[1]]
+    }
+
     fn with(self, x: u32, y: u32) -> Self {
         let grow = |[low, high]: [u32; 2], at: u32| [low.min(at), high.max(at)];
         Self { x: grow(self.x, x), y: grow(self.y, y) }

@@ -1,12 +1,17 @@
 //! What the author wrote: the RON text as a tree in which every value knows its place.
 //!
-//! In: the text of a scene. Out: a [`Value`], or all the syntax errors. What names mean is not known here.
+//! In: the text of a scene. Out: a [`Value`], or all the syntax errors; and what two of them say differently.
+//! What names mean is not known here.
 
+mod changes;
+mod order;
 mod parse;
 mod path;
 
 use std::ops::Range;
 
+pub use changes::{Change, ChangeKind, Side, changes};
+pub use order::found_again;
 pub use parse::parse;
 pub use path::{Path, Step};
 

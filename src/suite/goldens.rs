@@ -75,10 +75,3 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
     let written = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(path, bytes));
     written.map_err(|error| format!("cannot write `{}`: {error}", path.display()))
 }
-
-/// A picture as a PNG file.
-pub fn png(picture: &RgbImage) -> Vec<u8> {
-    let mut bytes = std::io::Cursor::new(vec![]);
-    picture.write_to(&mut bytes, ImageFormat::Png).expect("memory takes all pictures");
-    bytes.into_inner()
-}

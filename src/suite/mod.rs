@@ -4,7 +4,6 @@
 //! that writes goldens, and only where it is told to bless.
 
 mod cases;
-mod difference;
 mod goldens;
 mod jobs;
 mod outcome;
@@ -14,12 +13,11 @@ mod settings;
 mod snippet;
 
 pub use cases::{Case, CaseKind, find};
-pub use difference::{Hunk, TextDifference};
 pub use goldens::Goldens;
 pub use jobs::by_devices;
-pub use outcome::{Failure, Outcome, PictureFailure};
+pub use outcome::{Failure, Outcome};
 pub use report::{Run, html, human, json, junit};
-pub use scene::{Bench, rgb};
+pub use scene::Bench;
 pub use settings::{Settings, is_settings};
 
 use crate::gpu::Gpu;

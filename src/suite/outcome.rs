@@ -3,10 +3,9 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use image::RgbImage;
-
-use super::{Case, TextDifference};
-use crate::judge::{Area, Broken, Change, Verdict};
+use super::Case;
+use crate::difference::{PictureDifference, TextDifference};
+use crate::judge::Verdict;
 use crate::laws;
 
 /// One test that ran.
@@ -41,20 +40,12 @@ pub enum Failure {
         golden: PathBuf,
         sizes: [(u32, u32); 2],
     },
-    Picture(Box<PictureFailure>),
+    /// A picture that is too far from its golden.
+    Picture {
+        golden: PathBuf,
+        difference: Box<PictureDifference>,
+    },
     Law(laws::Broken),
-}
-
-/// A picture that is too far from its golden.
-#[derive(Clone, Debug)]
-pub struct PictureFailure {
-    pub golden: PathBuf,
-    pub verdict: Verdict,
-    pub change: Option<Change>,
-    /// The objects that now show where pixels are off, and the share of those pixels; the most first.
-    pub objects: Vec<(String, f64)>,
-    pub expected: RgbImage,
-    pub actual: RgbImage,
 }
 
 impl Outcome {
@@ -67,7 +58,7 @@ impl Outcome {
         let is_golden = |failure: &Failure| {
             matches!(
                 failure,
-                Failure::Missing(_) | Failure::Text { .. } | Failure::Size { .. } | Failure::Picture(_)
+                Failure::Missing(_) | Failure::Text { .. } | Failure::Size { .. } | Failure::Picture { .. }
             )
         };
         let name = &self.case.name;
@@ -85,7 +76,7 @@ impl Failure {
             Failure::Obstacle(_) => "obstacle",
             Failure::Text { .. } => "text",
             Failure::Size { .. } => "size",
-            Failure::Picture(_) => "picture",
+            Failure::Picture { .. } => "picture",
             Failure::Law(_) => "law",
         }
     }
@@ -105,69 +96,11 @@ impl Failure {
                 let now = format!("the picture is {width}x{height}");
                 vec![format!("{} is {w}x{h}, and {now}", golden.display())]
             }
-            Failure::Picture(failure) => failure.told(),
+            Failure::Picture { golden, difference } => {
+                let head = format!("{} looks different", golden.display());
+                [vec![head], difference.told()].concat()
+            }
             Failure::Law(broken) => vec![broken.to_string()],
         }
     }
-}
-
-impl PictureFailure {
-    fn told(&self) -> Vec<String> {
-        let mut lines = vec![format!("{} looks different", self.golden.display())];
-        lines.extend(self.verdict.broken().into_iter().map(|broken| measure(&self.verdict, broken)));
-        let seen = match self.change {
-            Some(Change::Shift { word, by }) => format!("{word} by about {by:.1} of 100"),
-            Some(Change::Elsewhere { by }) => {
-                format!("something moved or looks another way: off by about {by:.1} of 100")
-            }
-            None => "nothing that can be seen".into(),
-        };
-        let place = self.verdict.outliers.bounds.map_or(String::new(), |area| format!(" in {}", told(area)));
-        let objects = self.objects.iter().map(|(name, share)| format!("\"{name}\" {:.0} %", share * 100.0));
-        let objects = objects.collect::<Vec<_>>().join(", ");
-        let objects = if objects.is_empty() { objects } else { format!("; there is now {objects}") };
-        lines.push(format!("{seen}{place}{objects}"));
-        if let Some(worst) = self.verdict.outliers.worst {
-            let color = |[r, g, b]: [u8; 3]| format!("rgb({r}, {g}, {b})");
-            let [x, y] = worst.at;
-            let (was, is) = (color(worst.expected), color(worst.actual));
-            lines.push(format!("most in the pixel ({x}, {y}): {is}, where {was} is expected"));
-        }
-        lines
-    }
-}
-
-fn measure(verdict: &Verdict, broken: Broken) -> String {
-    let limits = verdict.limits;
-    match broken {
-        Broken::Outliers => format!(
-            "{} pixels ({:.2} %) differ by more than {} of 255; {} % may",
-            verdict.outliers.count,
-            verdict.outliers.share() * 100.0,
-            limits.tolerance,
-            trimmed(limits.outliers * 100.0),
-        ),
-        Broken::Structure => {
-            format!(
-                "its structure is similar to {:.4}; {} is the least",
-                verdict.structure.mean, limits.structure
-            )
-        }
-        Broken::Window => {
-            let [x, y] = verdict.structure.least_at;
-            let least = verdict.structure.least;
-            format!("the window at ({x}, {y}) is similar to {least:.3}; {} is the least", limits.window)
-        }
-        Broken::Flip => format!("FLIP sees {:.5}; {} is the most", verdict.flip, limits.flip),
-    }
-}
-
-/// Without the digits that a float leaves behind: 0.1, not 0.10000000000000001.
-fn trimmed(x: f64) -> f64 {
-    (x * 1e6).round() / 1e6
-}
-
-fn told(area: Area) -> String {
-    let side = |[low, high]: [u32; 2]| format!("{low}..{high}");
-    format!("the box x {}, y {}", side(area.x), side(area.y))
 }

@@ -4,13 +4,12 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use image::{Rgb, RgbImage};
-
-use super::goldens::{png, read_picture, read_text, write};
+use super::goldens::{read_picture, read_text, write};
 use super::settings::{Settings, settings_for};
-use super::{Case, Failure, Goldens, Outcome, PictureFailure, TextDifference};
-use crate::gpu::{Gpu, GpuError, Identity, Moment, Picture, Renderer};
-use crate::judge::{change, judge};
+use super::{Case, Failure, Goldens, Outcome};
+use crate::difference::{PictureDifference, TextDifference, png, rgb, with_origin_of};
+use crate::gpu::{Gpu, GpuError, Moment, Renderer};
+use crate::judge::judge;
 use crate::sources::Sources;
 use crate::wgsl::Mode;
 use crate::{Compiled, compile};
@@ -120,19 +119,9 @@ impl Test<'_> {
                 if verdict.passes() {
                     return Ok(());
                 }
-                let tolerance = settings.limits.tolerance;
-                let change = change(&expected, &actual, tolerance);
-                let seen = renderer.identity(&moment)?;
-                let objects = objects(compiled, &seen, [&expected, &actual], tolerance);
-                let actual = actual.clone();
-                Failure::Picture(Box::new(PictureFailure {
-                    golden: path,
-                    verdict,
-                    change,
-                    objects,
-                    expected,
-                    actual,
-                }))
+                let mut difference = PictureDifference::new(verdict, expected, actual.clone());
+                difference.now = difference.objects(compiled, &renderer.identity(&moment)?);
+                Failure::Picture { golden: path, difference: Box::new(difference) }
             }
         };
         self.fail_or_bless(failure, &target, !target.exists(), || png(&actual));
@@ -159,49 +148,6 @@ impl Test<'_> {
 
 fn unreadable(path: &Path, why: &str) -> String {
     format!("cannot read `{}`: {why}", path.display())
-}
-
-/// `golden` with the first line of `actual`: that names the scene's file from the folder that raytoy runs in,
-/// which may be another one than when it was blessed.
-fn with_origin_of(actual: &str, golden: &str) -> String {
-    let is_origin = |text: &str| text.starts_with("// Generated from ");
-    match (actual.split_once('\n'), golden.split_once('\n')) {
-        (Some((origin, _)), Some((other, rest))) if is_origin(origin) && is_origin(other) => {
-            format!("{origin}\n{rest}")
-        }
-        _ => golden.to_owned(),
-    }
-}
-
-/// The picture as a screen shows it.
-pub fn rgb(picture: &Picture) -> RgbImage {
-    let [width, height] = picture.size;
-    let bytes = picture.rgba.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
-    RgbImage::from_raw(width, height, bytes).expect("three bytes a pixel")
-}
-
-/// The objects that `seen`, a picture of objects, shows where two pictures differ, and the share of those
-/// pixels: at least a tenth of them.
-fn objects(
-    compiled: &Compiled,
-    seen: &Identity,
-    [expected, actual]: [&RgbImage; 2],
-    tolerance: u8,
-) -> Vec<(String, f64)> {
-    let pixels = expected.enumerate_pixels().zip(actual.pixels());
-    let is_off = |a: &Rgb<u8>, b: &Rgb<u8>| a.0.iter().zip(b.0).any(|(x, y)| x.abs_diff(y) > tolerance);
-    let differing: Vec<Option<u32>> = pixels
-        .filter(|((_, _, before), now)| is_off(before, now))
-        .map(|((x, y, _), _)| seen.object(x, y))
-        .collect();
-    let share = |i: usize| {
-        let count = differing.iter().filter(|object| **object == Some(i as u32)).count();
-        count as f64 / differing.len().max(1) as f64
-    };
-    let names = compiled.scene.objects.iter().enumerate().map(|(i, object)| (object.name.clone(), share(i)));
-    let mut shares: Vec<(String, f64)> = names.filter(|(_, share)| *share >= 0.1).collect();
-    shares.sort_by(|a, b| b.1.total_cmp(&a.1));
-    shares
 }
 
 impl Outcome {

@@ -231,7 +231,8 @@ pub fn without(root: &Value, path: &Path) -> Value {
     root
 }
 
-fn at_mut<'v>(root: &'v mut Value, path: &Path) -> Option<&'v mut Value> {
+/// The value at `path`, to be changed.
+pub fn at_mut<'v>(root: &'v mut Value, path: &Path) -> Option<&'v mut Value> {
     use raytoy::scene::Step;
     let named = |fields: &'v mut Vec<Field>, name: &str| {
         fields.iter_mut().find(|f| f.name.text == name).map(|f| &mut f.value)

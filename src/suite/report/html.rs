@@ -1,11 +1,9 @@
 //! A page that opens without a network: each failure with its pictures, its diff and its numbers.
 
 use super::Run;
-use super::human::head;
-use super::junit::escaped;
-use super::picture::{AMPLIFIED, data_url, difference};
-use crate::judge::{Limits, Verdict};
-use crate::suite::{Failure, Hunk, Outcome, PictureFailure};
+use crate::difference::html::{Page, escaped, hunks, numbers, pictures, told};
+use crate::judge::Verdict;
+use crate::suite::{Failure, Outcome};
 
 /// The page of a run.
 pub fn html(run: &Run) -> String {
@@ -31,20 +29,20 @@ pub fn html(run: &Run) -> String {
         0 => skips,
         n => format!("<details><summary>{n} skipped</summary>\n<table>\n{skips}</table>\n</details>\n"),
     };
-    format!(
-        include_str!("page.html"),
-        passed = passed,
-        failed = failed,
-        style = include_str!("page.css"),
-        state = if failed == 0 { "good" } else { "bad" },
-        adapter = escaped(&run.adapter),
-        version = env!("CARGO_PKG_VERSION"),
-        contents = contents,
-        stories = stories,
-        open = if failed == 0 { " open" } else { "" },
-        rows = rows,
-        skips = skips,
-    )
+    let (state, open) = if failed == 0 { ("good", " open") } else { ("bad", "") };
+    let heading = format!("{passed} passed, {failed} failed");
+    let page = Page {
+        title: &format!("raytoy test: {heading}"),
+        state,
+        heading: &heading,
+        origin: &format!("Drawn by {}.", run.adapter),
+        body: &format!(
+            "{contents}{stories}<details{open}><summary>{passed} passed</summary>\n<table>\n\
+             <tr><th>test</th><th>outliers</th><th>structure</th><th>worst window</th><th>FLIP</th>\
+             <th>ms</th></tr>\n{rows}</table>\n</details>\n{skips}"
+        ),
+    };
+    page.text()
 }
 
 fn row(outcome: &Outcome) -> String {
@@ -60,13 +58,18 @@ fn row(outcome: &Outcome) -> String {
 }
 
 fn story(run: &Run, index: usize, outcome: &Outcome) -> String {
-    let mut text = format!("<section id=\"t{index}\">\n<h2>{}</h2>\n", escaped(&outcome.case.name));
+    let mut text =
+        format!("<section class=\"bad\" id=\"t{index}\">\n<h2>{}</h2>\n", escaped(&outcome.case.name));
     for failure in &outcome.failures {
         text += &match failure {
             Failure::Mistakes(report) => format!("<pre class=\"report\">{}</pre>\n", escaped(report)),
-            Failure::Picture(picture) => told(failure) + &pictures(picture) + &numbers(&picture.verdict),
-            Failure::Text { difference, .. } => told(failure) + &diff(&difference.hunks),
-            _ => told(failure),
+            Failure::Picture { difference, .. } => {
+                told(&failure.told())
+                    + &pictures(difference, ["expected", "actual"])
+                    + &numbers(&difference.verdict)
+            }
+            Failure::Text { difference, .. } => told(&failure.told()) + &hunks(&difference.hunks),
+            _ => told(&failure.told()),
         };
     }
     if let Some(command) = outcome.how_to_bless(&run.call) {
@@ -76,90 +79,4 @@ fn story(run: &Run, index: usize, outcome: &Outcome) -> String {
         );
     }
     text + "</section>\n"
-}
-
-/// The first line, and the others as a list.
-fn told(failure: &Failure) -> String {
-    let lines = failure.told();
-    let (first, rest) = lines.split_first().expect("each failure has something to tell");
-    let rest: String = rest.iter().map(|line| format!("<li>{}</li>\n", escaped(line))).collect();
-    let rest = if rest.is_empty() { rest } else { format!("<ul>\n{rest}</ul>\n") };
-    format!("<h3>{}</h3>\n{rest}", escaped(first))
-}
-
-fn pictures(failure: &PictureFailure) -> String {
-    let PictureFailure { expected, actual, .. } = failure;
-    let [before, after] = [data_url(expected), data_url(actual)];
-    let between = data_url(&difference(expected, actual));
-    let (width, height) = expected.dimensions();
-    let image = |url: &str, what: &str| {
-        format!("<img src=\"{url}\" width=\"{width}\" height=\"{height}\" alt=\"{what}\">")
-    };
-    let figure = |url: &str, what: &str| {
-        format!("<figure>{}<figcaption>{what}</figcaption></figure>\n", image(url, what))
-    };
-    format!(
-        "<div class=\"pictures\">\n<figure class=\"slider\"><div class=\"pair\">{}{}</div>\
-         <input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"expected to actual\" \
-         oninput=\"this.parentElement.style.setProperty('--at', this.value + '%')\">\
-         <figcaption>expected on the left of the line, actual on the right: drag</figcaption></figure>\n\
-         {}{}{}</div>\n",
-        image(&before, "expected"),
-        image(&after, "actual"),
-        figure(&before, "expected"),
-        figure(&after, "actual"),
-        figure(&between, &format!("difference, {AMPLIFIED} times as strong")),
-    )
-}
-
-fn numbers(verdict: &Verdict) -> String {
-    let Limits { tolerance, outliers, structure, window, flip } = verdict.limits;
-    let broken = verdict.broken();
-    let row = |what: &str, broken_one, measured: String, limit: String| {
-        let class = if broken.contains(&broken_one) { " class=\"off\"" } else { "" };
-        format!("<tr{class}><td>{what}</td><td>{measured}</td><td>{limit}</td></tr>\n")
-    };
-    use crate::judge::Broken::{Flip, Outliers, Structure, Window};
-    let percent = |share: f64| format!("{:.3} %", share * 100.0);
-    let rows = [
-        row(
-            &format!("pixels off by more than {tolerance} of 255"),
-            Outliers,
-            percent(verdict.outliers.share()),
-            format!("at most {}", percent(outliers)),
-        ),
-        row(
-            "structural similarity, mean",
-            Structure,
-            format!("{:.5}", verdict.structure.mean),
-            format!("at least {structure}"),
-        ),
-        row(
-            "structural similarity, worst 8x8 window",
-            Window,
-            format!("{:.4}", verdict.structure.least),
-            format!("at least {window}"),
-        ),
-        row("FLIP, mean", Flip, format!("{:.6}", verdict.flip), format!("at most {flip}")),
-    ];
-    let rows = rows.concat();
-    format!(
-        "<table class=\"numbers\">\n<tr><th>measure</th><th>is</th><th>may be</th></tr>\n{rows}</table>\n"
-    )
-}
-
-fn diff(hunks: &[Hunk]) -> String {
-    let mut text = String::from("<pre class=\"diff\">");
-    for hunk in hunks {
-        text += &format!("<span class=\"head\">{}</span>\n", escaped(&head(hunk)));
-        for (sign, line) in &hunk.lines {
-            let line = escaped(&format!("{sign}{line}"));
-            text += &match sign {
-                '-' => format!("<del>{line}</del>\n"),
-                '+' => format!("<ins>{line}</ins>\n"),
-                _ => format!("{line}\n"),
-            };
-        }
-    }
-    text + "</pre>\n"
 }

@@ -3,6 +3,8 @@
 use serde::Serialize;
 
 use super::Run;
+use crate::difference::Measures;
+use crate::judge::Area;
 use crate::suite::{Failure, Outcome};
 
 #[derive(Serialize)]
@@ -33,14 +35,6 @@ struct Test<'a> {
 }
 
 #[derive(Serialize)]
-struct Measures {
-    outliers: usize,
-    structure: f64,
-    window: f64,
-    flip: f64,
-}
-
-#[derive(Serialize)]
 struct Told {
     kind: &'static str,
     message: String,
@@ -67,19 +61,13 @@ fn test<'a>(run: &Run, outcome: &'a Outcome) -> Test<'a> {
         (None, true) => "passed",
         (None, false) => "failed",
     };
-    let picture = outcome.verdict.as_ref().map(|verdict| Measures {
-        outliers: verdict.outliers.count,
-        structure: verdict.structure.mean,
-        window: verdict.structure.least,
-        flip: verdict.flip,
-    });
     Test {
         name: &outcome.case.name,
         outcome: word,
         milliseconds: outcome.time.as_millis() as u64,
         reason: outcome.skipped.as_deref(),
         written: outcome.written.iter().map(|(path, _)| path.display().to_string()).collect(),
-        picture,
+        picture: outcome.verdict.as_ref().map(Measures::of),
         failures: outcome.failures.iter().map(told).collect(),
         bless: outcome.how_to_bless(&run.call),
     }
@@ -87,9 +75,7 @@ fn test<'a>(run: &Run, outcome: &'a Outcome) -> Test<'a> {
 
 fn told(failure: &Failure) -> Told {
     let area = match failure {
-        Failure::Picture(picture) => {
-            picture.verdict.outliers.bounds.map(|b| [b.x[0], b.y[0], b.x[1], b.y[1]])
-        }
+        Failure::Picture { difference, .. } => difference.verdict.outliers.bounds.map(Area::corners),
         _ => None,
     };
     Told { kind: failure.kind(), message: failure.told().join("\n"), area }

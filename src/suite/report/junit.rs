@@ -1,6 +1,7 @@
 //! For continuous integration: the XML that JUnit began and most services read.
 
 use super::Run;
+use crate::difference::html::escaped;
 use crate::suite::Outcome;
 
 /// The XML text of a run.
@@ -38,20 +39,4 @@ fn test(run: &Run, outcome: &Outcome) -> String {
     let first = escaped(&lines[0]);
     let all = escaped(&lines.join("\n"));
     format!("{open}>\n      <failure message=\"{first}\">{all}</failure>\n    </testcase>\n")
-}
-
-/// For XML and HTML, in text and in attributes; what XML cannot hold becomes a space.
-pub fn escaped(text: &str) -> String {
-    let mut escaped = String::new();
-    for c in text.chars() {
-        match c {
-            '&' => escaped += "&amp;",
-            '<' => escaped += "&lt;",
-            '>' => escaped += "&gt;",
-            '"' => escaped += "&quot;",
-            c if c.is_control() && !matches!(c, '\n' | '\t') => escaped.push(' '),
-            c => escaped.push(c),
-        }
-    }
-    escaped
 }

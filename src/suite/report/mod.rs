@@ -4,7 +4,6 @@ mod html;
 mod human;
 mod json;
 mod junit;
-mod picture;
 
 pub use html::html;
 pub use human::human;

@@ -90,6 +90,23 @@ impl TextDifference {
         [count('-'), count('+')]
     }
 
+    /// As in a unified diff, and where that is more than `most` lines how many more there are.
+    pub fn unified(&self, most: usize) -> (Vec<String>, usize) {
+        let mut lines = vec![];
+        let mut left = most;
+        for hunk in &self.hunks {
+            if left == 0 {
+                break;
+            }
+            lines.push(hunk.head());
+            let shown = hunk.lines.iter().take(left);
+            lines.extend(shown.map(|(sign, line)| format!("{sign}{line}").trim_end().to_owned()));
+            left = left.saturating_sub(hunk.lines.len());
+        }
+        let all: usize = self.hunks.iter().map(|hunk| hunk.lines.len()).sum();
+        (lines, all.saturating_sub(most))
+    }
+
     /// What a person would say of the objects; nothing where no object is known to have changed.
     pub fn told(&self) -> Vec<String> {
         let tell = |names: &[String], what: &'static str| {
@@ -98,6 +115,26 @@ impl TextDifference {
         let all =
             [tell(&self.gone, "is gone"), tell(&self.new, "is new"), tell(&self.changed, "moved or changed")];
         all.concat()
+    }
+}
+
+impl Hunk {
+    /// `@@ -20,5 +20,6 @@ rayTraceScene`
+    pub fn head(&self) -> String {
+        let Hunk { old, new, place, .. } = self;
+        format!("@@ -{},{} +{},{} @@ {place}", old[0], old[1], new[0], new[1]).trim_end().to_owned()
+    }
+}
+
+/// `golden` with the first line of `actual`: that names the scene's file, which may be another one, or the
+/// same one from another folder.
+pub fn with_origin_of(actual: &str, golden: &str) -> String {
+    let is_origin = |text: &str| text.starts_with("// Generated from ");
+    match (actual.split_once('\n'), golden.split_once('\n')) {
+        (Some((origin, _)), Some((other, rest))) if is_origin(origin) && is_origin(other) => {
+            format!("{origin}\n{rest}")
+        }
+        _ => golden.to_owned(),
     }
 }
 

@@ -2,13 +2,13 @@
 
 use image::{Rgb, RgbImage};
 
-use crate::suite::goldens::png;
+use crate::difference::png;
 
 /// How much stronger a difference is shown than it is.
 pub const AMPLIFIED: u8 = 8;
 
 /// What differs, [`AMPLIFIED`], black where nothing does.
-pub fn difference(expected: &RgbImage, actual: &RgbImage) -> RgbImage {
+pub fn amplified(expected: &RgbImage, actual: &RgbImage) -> RgbImage {
     RgbImage::from_fn(actual.width(), actual.height(), |x, y| {
         let (a, b) = (expected.get_pixel(x, y).0, actual.get_pixel(x, y).0);
         Rgb([0, 1, 2].map(|i| a[i].abs_diff(b[i]).saturating_mul(AMPLIFIED)))

@@ -1,0 +1,19 @@
+//! What differs between two texts, two pictures, two scenes: told to people, to programs and in a browser.
+//!
+//! In: the two. Out: a [`TextDifference`], a [`PictureDifference`] or a [`SceneDifference`], and texts about
+//! them.
+
+pub mod html;
+mod measures;
+mod picture;
+mod report;
+mod scene;
+mod shader;
+mod text;
+
+pub use measures::Measures;
+pub use picture::{Drawing, PictureDifference, png, rgb};
+pub use report::{human, json, page};
+pub use scene::SceneDifference;
+pub use shader::ShaderDifference;
+pub use text::{Hunk, TextDifference, with_origin_of};
