@@ -99,7 +99,7 @@ impl Gpu {
         Ok(Self { adapter, device, queue, made: Arc::default() })
     }
 
-    /// Calls `told` from another thread, with the reason, when the device and all that was made on it is gone.
+    /// Calls `told` from another thread, with the reason, when the device is gone, and what was made on it.
     pub fn when_lost(&self, told: impl Fn(String) + Send + 'static) {
         self.device.set_device_lost_callback(move |_, why| told(why));
     }
