@@ -34,8 +34,8 @@ fn nearestCells(
         let point = cellPoint(cell - p, word.x, jitter);
         let away = cellDistance(cellWays(point, places), metric);
         let closer = away < found.f1;
-        found.next = select(select(found.next, word, away < found.f2), found.near, closer);
-        found.near = select(found.near, word, closer);
+        found.next = chosenBits(chosenBits(found.next, word, away < found.f2), found.near, closer);
+        found.near = chosenBits(found.near, word, closer);
         found.f2 = min(found.f2, max(found.f1, away));
         found.f1 = min(found.f1, away);
         home = select(home, cell, closer.x);

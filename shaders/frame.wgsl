@@ -1,4 +1,5 @@
-// What changes from one picture to the next: the camera, the clock, the mouse. Filled by gpu/uniforms.rs.
+// What changes from one picture to the next: the camera, the clock, the mouse. In raytoy, gpu/uniforms.rs
+// fills it.
 
 struct Frame {
     /// The camera's place, world space.
@@ -22,13 +23,11 @@ struct Frame {
     jitter: vec2f,
     /// How many samples the picture holds already.
     sample: u32,
-    /// Which of the debug views to draw: the VIEW_ constants.
+    /// Which of raytoy's debug views to draw; 0 is the picture.
     view: u32,
     /// Bodies that cast shadows.
     casters: u32,
 }
-
-@group(0) @binding(0) var<uniform> frame: Frame;
 
 /// Nothing, but no driver knows it. Mesa's software driver compiles a shader again for each draw if plain
 /// uniforms steer its branches and loops; one that has this added is not plain.

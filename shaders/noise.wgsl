@@ -64,6 +64,11 @@ fn vectorNoise(p: vec3f) -> vec3f {
     );
 }
 
+/// `b` where `which` is true, else `a`: select, which GLSL ES 3.00 has only for numbers with a fraction.
+fn chosenBits(a: vec4u, b: vec4u, which: vec4<bool>) -> vec4u {
+    return a ^ ((a ^ b) & (vec4u(0u) - vec4u(which)));
+}
+
 /// How much of the interval of `width` around x has fract(x) < duty, in closed form.
 fn dutyShare(x: vec2f, width: vec2f, duty: f32) -> vec2f {
     let f = x - floor(x);

@@ -1,17 +1,5 @@
 // What the picture shows: the light, or one of the values behind it. Numbered as View in gpu/uniforms.rs.
 
-/// What a pixel sees: its light, and what its first ray met.
-struct Seen {
-    radiance: vec3f,
-    /// Along the first ray, scene units; negative where it leaves the scene.
-    depth: f32,
-    /// What a debug view shows of the first surface.
-    value: vec3f,
-    object: u32,
-    /// Depth of the deepest ray.
-    bounces: u32,
-}
-
 const VIEW_COLOR: u32 = 0u;
 const VIEW_NORMAL: u32 = 1u;
 const VIEW_DEPTH: u32 = 2u;

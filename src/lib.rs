@@ -23,6 +23,7 @@ pub mod cli;
 pub mod diagnostic;
 pub mod difference;
 pub mod edit;
+pub mod export;
 pub mod gpu;
 pub mod ir;
 pub mod judge;

@@ -7,7 +7,7 @@ use raytoy::library::{Family, Library};
 use raytoy::sources::Sources;
 
 /// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
-const IMPORTS: [(&str, &[&str]); 21] = [
+const IMPORTS: [(&str, &[&str]); 22] = [
     ("diagnostic", &[]),
     ("sources", &["diagnostic"]),
     ("scene", &["diagnostic"]),
@@ -19,6 +19,7 @@ const IMPORTS: [(&str, &[&str]); 21] = [
     ("wgsl", &["ir", "library"]),
     ("module", &["wgsl", "diagnostic"]),
     ("gpu", &["ir", "wgsl", "library", "Compiled", "on_deep_stack"]),
+    ("export", &["gpu", "ir", "library", "module", "wgsl", "Compiled", "on_deep_stack"]),
     ("capture", &["gpu", "Compiled"]),
     ("stage", &["diagnostic", "sources", "Compiled", "compile"]),
     ("watch", &["sources"]),
@@ -69,6 +70,7 @@ const IMPORTS: [(&str, &[&str]); 21] = [
             "capture",
             "diagnostic",
             "difference",
+            "export",
             "gpu",
             "ir",
             "library",

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::export::Language;
 use crate::gpu::{AdapterChoice, View};
 
 /// A playground for procedural, ray-traced scenes.
@@ -49,16 +50,7 @@ pub enum Command {
     /// Tell what differs between two scenes: values, shader and picture
     Diff(DiffOptions),
     /// Print the shader of a scene, the scene's own functions first
-    Generate {
-        /// A scene, or - for standard input
-        scene: PathBuf,
-        /// Read the scene's numbers from a uniform buffer, as the window does
-        #[arg(long)]
-        live: bool,
-        /// Where to write it, standard output unless told
-        #[arg(short, long, value_name = "FILE")]
-        output: Option<PathBuf>,
-    },
+    Generate(GenerateOptions),
     /// List the textures and mappings, or tell all about one
     Textures { name: Option<String> },
     /// List the shapes, or tell all about one
@@ -134,6 +126,32 @@ pub struct RenderOptions {
     /// fastest, software, or a part of its name
     #[arg(long, default_value = "fastest", value_parser = adapter)]
     pub adapter: AdapterChoice,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+With --standalone and --lang the shader needs no raytoy any more. Its head says how to draw it.
+
+Examples:
+  raytoy generate scenes/table.ron                             the shader that raytoy runs
+  raytoy generate scenes/table.ron --standalone -o table.wgsl  for a WebGPU page or program of yours
+  raytoy generate scenes/table.ron --lang glsl -o table.glsl   to paste at shadertoy.com
+  raytoy generate scenes/table.ron --lang spirv -o table.spv   for Vulkan")]
+pub struct GenerateOptions {
+    /// A scene, or - for standard input
+    pub scene: PathBuf,
+    /// Read the scene's numbers from a uniform buffer, as the window does
+    #[arg(long, conflicts_with_all = ["standalone", "lang"])]
+    pub live: bool,
+    /// One WGSL file that any WebGPU program can draw
+    #[arg(long)]
+    pub standalone: bool,
+    /// Such a file in another language: glsl, which is for Shadertoy, spirv, msl or hlsl; or wgsl
+    #[arg(long, value_name = "NAME", value_parser = language)]
+    pub lang: Option<Language>,
+    /// Where to write it, standard output unless told
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
 }
 
 #[derive(Args)]
@@ -260,6 +278,14 @@ fn view(text: &str) -> Result<View, String> {
     found.map(|(_, view)| *view).ok_or_else(|| {
         let names = View::ALL.map(|(name, _)| name);
         format!("the views are {}", names.join(", "))
+    })
+}
+
+fn language(text: &str) -> Result<Language, String> {
+    let found = Language::ALL.iter().find(|(name, _)| *name == text);
+    found.map(|(_, language)| *language).ok_or_else(|| {
+        let names = Language::ALL.map(|(name, _)| name);
+        format!("the languages are {}", names.join(", "))
     })
 }
 

@@ -54,7 +54,7 @@ pub fn run() -> ExitCode {
         Command::Check { paths } => check::run(&paths),
         Command::Test(options) => test::run(&options),
         Command::Diff(options) => diff::run(&options),
-        Command::Generate { scene, live, output } => generate::run(&scene, live, output.as_deref()),
+        Command::Generate(options) => generate::run(&options),
         Command::Textures { name } => list::run(Family::Texture, name.as_deref()),
         Command::Shapes { name } => list::run(Family::Shape, name.as_deref()),
         Command::Gallery { output } => gallery::run(&output),

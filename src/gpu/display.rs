@@ -41,7 +41,9 @@ struct Options {
 
 impl Display {
     pub fn new(gpu: &Gpu, format: wgpu::TextureFormat) -> Self {
-        let text = built_in("shaders/display.wgsl").expect("it ships with raytoy");
+        let text = ["shaders/display.wgsl", "shaders/tone.wgsl"]
+            .map(|name| built_in(name).expect("it ships with raytoy"))
+            .join("\n");
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("shaders/display.wgsl"),
             source: wgpu::ShaderSource::Wgsl(text.into()),

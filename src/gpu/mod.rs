@@ -27,4 +27,4 @@ pub use lines::{Line, Lines};
 pub use pipeline::Pipeline;
 pub use probe::{Crossing, Look, Probe, Ray, SurfacePoint};
 pub use tracer::Tracer;
-pub use uniforms::{Moment, View, sample_offset};
+pub use uniforms::{Frame, Moment, View, sample_offset};

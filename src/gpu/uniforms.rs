@@ -80,24 +80,24 @@ impl Moment {
     }
 }
 
-/// `Frame` of shaders/frame.wgsl.
+/// `Frame` of shaders/frame.wgsl, where each field is explained.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub(super) struct Frame {
-    eye: [f32; 3],
-    time: f32,
-    right: [f32; 3],
-    pixel_spread: f32,
-    up: [f32; 3],
-    max_bounces: u32,
-    forward: [f32; 3],
-    shadow_samples: u32,
-    resolution: [f32; 2],
-    mouse: [f32; 2],
-    jitter: [f32; 2],
-    sample: u32,
-    view: u32,
-    casters: u32,
+pub struct Frame {
+    pub eye: [f32; 3],
+    pub time: f32,
+    pub right: [f32; 3],
+    pub pixel_spread: f32,
+    pub up: [f32; 3],
+    pub max_bounces: u32,
+    pub forward: [f32; 3],
+    pub shadow_samples: u32,
+    pub resolution: [f32; 2],
+    pub mouse: [f32; 2],
+    pub jitter: [f32; 2],
+    pub sample: u32,
+    pub view: u32,
+    pub casters: u32,
     padding: [u32; 3],
 }
 

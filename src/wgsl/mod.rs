@@ -2,6 +2,7 @@
 //!
 //! In: [`ir::Scene`]. Out: a [`Source`], the same bytes every time. Nothing here can fail.
 
+mod alone;
 mod bodies;
 mod code;
 mod combinations;
@@ -17,9 +18,11 @@ mod values;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+pub use self::alone::generate_alone;
 use self::code::Lines;
 use self::names::Names;
 use self::numbers::Numbers;
+pub use self::sections::Host;
 use crate::ir;
 use crate::library::Function;
 
@@ -88,20 +91,11 @@ impl Source {
 /// The module for `scene`.
 pub fn generate(scene: &ir::Scene, mode: Mode) -> Source {
     let mut writer = Writer::new(scene, mode);
-    let bodies = writer.bodies();
-    let materials = writer.materials();
-    let lights = writer.lights();
-    let mut text = writer.header();
-    text.extend(writer.constants());
-    text.extend(bodies);
-    text.extend(writer.images());
-    text.extend(materials);
-    text.extend(lights);
-    text.extend(writer.numbers.accessor());
-    let own = Section { name: format!("generated from {}", scene.name), text: text.finish().into() };
-    let needed = sections::needed(&own, &writer.used);
-    let sections = [own].into_iter().chain(needed).collect();
-    Source { mode, sections, numbers: writer.numbers.into_data() }
+    let body = writer.scene_text();
+    let mut text = writer.title();
+    text.extend(writer.contents());
+    text.extend(body);
+    writer.sections(text, Host::Raytoy)
 }
 
 /// What is known while one scene is written.
@@ -144,6 +138,28 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// All of the scene's own section but its head. What it uses is known only afterwards.
+    fn scene_text(&mut self) -> Lines {
+        let bodies = self.bodies();
+        let materials = self.materials();
+        let lights = self.lights();
+        let mut text = self.constants();
+        text.extend(bodies);
+        text.extend(self.images());
+        text.extend(materials);
+        text.extend(lights);
+        text.extend(self.numbers.accessor());
+        text
+    }
+
+    /// The module that opens with `text`.
+    fn sections(self, text: Lines, host: Host) -> Source {
+        let own = Section { name: format!("generated from {}", self.scene.name), text: text.finish().into() };
+        let needed = sections::needed(&own, &self.used, host);
+        let sections = [own].into_iter().chain(needed).collect();
+        Source { mode: self.mode, sections, numbers: self.numbers.into_data() }
+    }
+
     fn uses(&mut self, function: &Arc<Function>) {
         if !self.used.iter().any(|f| f.file == function.file) {
             self.used.push(function.clone());
@@ -157,17 +173,19 @@ impl<'a> Writer<'a> {
         code::comment(indent, &format!("{head}{words}"))
     }
 
-    fn header(&self) -> Lines {
+    fn title(&self) -> Lines {
         let mut lines = Lines::default();
-        // A path outside the folder that raytoy runs in differs from machine to machine.
-        let name = self.scene.name.as_str();
-        let is_absolute = name.starts_with('/') || name.contains(':');
-        let name = if is_absolute { name.rsplit('/').next().unwrap_or(name) } else { name };
-        lines.push(code::one_line(&format!("// Generated from {name}")));
+        lines.push(code::one_line(&format!("// Generated from {}", title_of(self.scene))));
         lines.push(
             "// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.",
         );
         lines.push("//");
+        lines
+    }
+
+    /// What the scene is made of.
+    fn contents(&self) -> Lines {
+        let mut lines = Lines::default();
         let names: Vec<&str> = self.scene.objects.iter().map(|o| o.name.as_str()).collect();
         lines.extend(code::list("//   objects   ", &names));
         let kind = |shape: bool| {
@@ -203,6 +221,14 @@ impl<'a> Writer<'a> {
         lines.push(format!("const TEXTURED: bool = {};", self.scene.is_textured()));
         lines
     }
+}
+
+/// The scene's name as its text has it: a path outside the folder that raytoy runs in differs from machine to
+/// machine.
+pub fn title_of(scene: &ir::Scene) -> &str {
+    let name = scene.name.as_str();
+    let is_absolute = name.starts_with('/') || name.contains(':');
+    if is_absolute { name.rsplit('/').next().unwrap_or(name) } else { name }
 }
 
 /// The file's name without its folder and ending.

@@ -6,15 +6,30 @@ use super::Section;
 use crate::library::{BUILT_IN, Function, built_in};
 
 /// The hand-written shader around every scene.
-const CORE: [&str; 10] =
-    ["main", "view", "trace", "look", "shading", "light", "material", "space", "ray", "frame"];
+const CORE: [&str; 9] = ["pixel", "trace", "look", "shading", "light", "material", "space", "ray", "frame"];
+
+/// What goes before it: the entry points, by those who call them.
+const OF_RAYTOY: [&str; 3] = ["main", "cover", "view"];
+const OF_ANY_HOST: [&str; 4] = ["standalone", "cover", "unviewed", "tone"];
+const OF_SHADERTOY: [&str; 3] = ["shadertoy", "unviewed", "tone"];
 
 /// Files in shaders/ that are no part of a picture's shader.
 const APART: [&str; 3] = ["display", "lines", "probe"];
 const PROBE: &str = "shaders/probe.wgsl";
 
+/// Who draws with a module.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Host {
+    /// This program: [`crate::gpu`].
+    Raytoy,
+    /// A program of anyone's, without raytoy.
+    Any,
+    /// shadertoy.com, which takes one function without any bindings.
+    Shadertoy,
+}
+
 /// The sections that the scene's own text and the functions that it uses stand on.
-pub fn needed(own: &Section, used: &[Arc<Function>]) -> Vec<Section> {
+pub fn needed(own: &Section, used: &[Arc<Function>], host: Host) -> Vec<Section> {
     let mut sections: Vec<Section> =
         used.iter().map(|f| Section { name: f.file.clone(), text: f.text.clone() }).collect();
     // Shared files may use each other, so each round may find more.
@@ -30,9 +45,14 @@ pub fn needed(own: &Section, used: &[Arc<Function>]) -> Vec<Section> {
         }
         sections.extend(found);
     }
-    for stem in CORE {
+    let entries = match host {
+        Host::Raytoy => &OF_RAYTOY[..],
+        Host::Any => &OF_ANY_HOST,
+        Host::Shadertoy => &OF_SHADERTOY,
+    };
+    for stem in entries.iter().chain(&CORE) {
         let name = format!("shaders/{stem}.wgsl");
-        sections.push(section(&name, built_in(&name).expect("CORE names files in shaders/")));
+        sections.push(section(&name, built_in(&name).expect("the lists name files in shaders/")));
     }
     sections
 }
@@ -50,7 +70,8 @@ fn section(name: &str, text: &str) -> Section {
 fn shared() -> impl Iterator<Item = (&'static str, &'static str)> {
     BUILT_IN.iter().copied().filter(|(name, _)| {
         let stem = name.strip_prefix("shaders/").and_then(|n| n.strip_suffix(".wgsl"));
-        stem.is_some_and(|s| !s.contains('/') && !CORE.contains(&s) && !APART.contains(&s))
+        let named = [&CORE[..], &OF_RAYTOY, &OF_ANY_HOST, &OF_SHADERTOY, &APART];
+        stem.is_some_and(|s| !s.contains('/') && !named.iter().any(|list| list.contains(&s)))
     })
 }
 

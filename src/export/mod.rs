@@ -1,0 +1,92 @@
+//! A scene as a shader that needs no raytoy: for WebGPU, Shadertoy, Vulkan, Metal and Direct3D.
+//!
+//! In: a [`Compiled`] scene. Out: the bytes of one file. Pure.
+
+mod head;
+mod native;
+mod shadertoy;
+mod standalone;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use crate::{Compiled, on_deep_stack};
+
+/// What the shader is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    Wgsl,
+    /// GLSL ES 3.00 as Shadertoy takes it.
+    Glsl,
+    /// SPIR-V 1.0, little-endian.
+    Spirv,
+    /// Metal Shading Language 2.0.
+    Msl,
+    /// Shader model 5.1.
+    Hlsl,
+}
+
+impl Language {
+    /// All, with the names by which they are asked for.
+    pub const ALL: [(&str, Language); 5] = [
+        ("wgsl", Language::Wgsl),
+        ("glsl", Language::Glsl),
+        ("spirv", Language::Spirv),
+        ("msl", Language::Msl),
+        ("hlsl", Language::Hlsl),
+    ];
+}
+
+/// Why a scene cannot stand on its own.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ExportError {
+    /// It takes images or models from these files, which a shader does not hold.
+    NeedsFiles(Vec<String>),
+    /// naga has something against it: a file of the author's has a name that an export uses, or a writer of
+    /// naga lacks something.
+    Refused(String),
+}
+
+impl std::fmt::Display for ExportError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            ExportError::NeedsFiles(files) => {
+                let files: Vec<String> = files.iter().map(|file| format!("`{file}`")).collect();
+                write!(
+                    f,
+                    "a shader on its own cannot hold images and models from files: leave out what uses {}",
+                    files.join(", ")
+                )
+            }
+            ExportError::Refused(why) => write!(f, "the scene cannot stand on its own: {why}"),
+        }
+    }
+}
+
+impl std::error::Error for ExportError {}
+
+/// The scene as one file in `language`, with its numbers as literals; the same bytes every time.
+///
+/// # Errors
+/// Where the scene cannot stand on its own.
+pub fn export(compiled: &Compiled, language: Language) -> Result<Vec<u8>, ExportError> {
+    let scene = &compiled.scene;
+    let images = scene.images.iter().map(|image| image.file.clone());
+    let files: Vec<String> = images.chain(scene.models.iter().map(|model| model.file.clone())).collect();
+    if !files.is_empty() {
+        return Err(ExportError::NeedsFiles(files));
+    }
+    on_deep_stack(|| {
+        // naga's writers panic at some text that naga's own check lets pass.
+        let written = catch_unwind(AssertUnwindSafe(|| match language {
+            Language::Wgsl => standalone::wgsl(scene).map(String::into_bytes),
+            Language::Glsl => shadertoy::glsl(scene).map(String::into_bytes),
+            Language::Spirv => native::spirv(scene),
+            Language::Msl => native::msl(scene).map(String::into_bytes),
+            Language::Hlsl => native::hlsl(scene).map(String::into_bytes),
+        }));
+        written.unwrap_or_else(|panic| {
+            let why = panic.downcast_ref::<String>().map_or("", String::as_str);
+            Err(ExportError::Refused(format!("naga cannot write this shader: {why}")))
+        })
+    })
+}

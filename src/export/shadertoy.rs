@@ -1,0 +1,80 @@
+//! A scene as a Shadertoy.
+//!
+//! In: a scene without files. Out: GLSL ES 3.00 with one function, `mainImage`, for Shadertoy to call.
+
+use naga::back::glsl::{Options, PipelineOptions, Version, Writer, WriterFlags};
+use naga::proc::BoundsCheckPolicies;
+use naga::valid::ModuleInfo;
+use naga::{Expression, Handle, Module, ScalarKind, TypeInner};
+
+use super::standalone::Standalone;
+use super::{ExportError, head};
+use crate::ir::Scene;
+use crate::wgsl::Host;
+
+/// What naga writes for shaders/shadertoy.wgsl, and what Shadertoy wants there. It declares the inputs
+/// itself, and calls a function with the output and the pixel.
+const CHANGES: [(&str, &str); 8] = [
+    ("#version 300 es\n\nprecision highp float;\nprecision highp int;\n\n", ""),
+    ("vec3 iResolution = vec3(0.0);\n\n", ""),
+    ("float iTime = 0.0;\n\n", ""),
+    ("int iFrame = 0;\n\n", ""),
+    ("vec4 iMouse = vec4(0.0);\n\n", ""),
+    ("layout(location = 0) out vec4 _fs2p_location0;\n\n", ""),
+    (
+        "void main() {\n    vec4 fragCoord = gl_FragCoord;\n",
+        "void mainImage(out vec4 fragColor, in vec2 fragCoord) {\n",
+    ),
+    ("    _fs2p_location0 = vec4(", "    fragColor = vec4("),
+];
+
+/// naga's translation of shaders/shadertoy.wgsl, with what Shadertoy wants otherwise put right.
+pub fn glsl(scene: &Scene) -> Result<String, ExportError> {
+    let Standalone { source, module, info } = Standalone::new(scene, Host::Shadertoy)?;
+    refuse_unknown(&module, &info)?;
+    let options =
+        Options { version: Version::new_gles(300), writer_flags: WriterFlags::empty(), ..Default::default() };
+    let pipeline = PipelineOptions {
+        shader_stage: naga::ShaderStage::Fragment,
+        entry_point: "mainImage".into(),
+        multiview: None,
+    };
+    let mut text = String::new();
+    let policies = BoundsCheckPolicies::default();
+    Writer::new(&mut text, &module, &info, &options, &pipeline, policies)
+        .and_then(|mut writer| writer.write())
+        .map_err(|error| ExportError::Refused(error.to_string()))?;
+    for (from, to) in CHANGES {
+        // naga gives another name to what would be called as something before it.
+        if text.matches(from).count() != 1 {
+            let why = "one of its textures or shapes uses a name that Shadertoy has taken, such as `iTime`";
+            return Err(ExportError::Refused(why.into()));
+        }
+        text = text.replacen(from, to, 1);
+    }
+    Ok(head::shadertoy(scene, &source) + &text)
+}
+
+/// # Errors
+/// Where a function asks for what naga writes as if GLSL ES 3.00 had it: `select` of whole numbers or
+/// switches, each component by itself.
+fn refuse_unknown(module: &Module, info: &ModuleInfo) -> Result<(), ExportError> {
+    for (handle, function) in module.functions.iter() {
+        let ty = |expression: Handle<Expression>| info[handle][expression].ty.inner_with(&module.types);
+        let is_unknown = |expression: &Expression| match expression {
+            Expression::Select { condition, accept, .. } => {
+                matches!(ty(*condition), TypeInner::Vector { .. })
+                    && ty(*accept).scalar_kind() != Some(ScalarKind::Float)
+            }
+            _ => false,
+        };
+        if function.expressions.iter().any(|(_, expression)| is_unknown(expression)) {
+            let name = function.name.as_deref().unwrap_or_default();
+            return Err(ExportError::Refused(format!(
+                "Shadertoy has no `select` for vectors of whole numbers, which `{name}` uses; \
+                 write one for each component"
+            )));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,57 @@
+//! A scene as a WGSL module by itself, and that module as the writers of other languages take it.
+//!
+//! In: a scene without files. Out: text, or a [`Standalone`].
+
+use naga::compact::{KeepUnused, compact};
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+
+use super::{ExportError, head};
+use crate::gpu::{Frame, Moment};
+use crate::ir::Scene;
+use crate::library::Const;
+use crate::module::validate;
+use crate::wgsl::{Host, Source, generate_alone};
+
+/// A module that needs no raytoy.
+pub struct Standalone {
+    pub source: Source,
+    /// Only what its entry points use.
+    pub module: naga::Module,
+    pub info: ModuleInfo,
+}
+
+/// The module as text, which opens with how to draw it.
+pub fn wgsl(scene: &Scene) -> Result<String, ExportError> {
+    let Standalone { source, module, .. } = Standalone::new(scene, Host::Any)?;
+    Ok(head::standalone(scene, &module, &head::WGSL) + &source.text())
+}
+
+impl Standalone {
+    pub fn new(scene: &Scene, host: Host) -> Result<Self, ExportError> {
+        let source = generate_alone(scene, host, &settings(scene));
+        let validated = validate(&source).map_err(|problem| {
+            let place = problem.labels.first().map_or("its own text", |(place, _)| place.file.as_str());
+            ExportError::Refused(format!("{} (in {place})", problem.message))
+        })?;
+        let mut module = validated.naga().clone();
+        compact(&mut module, KeepUnused::No);
+        let info = Validator::new(ValidationFlags::all(), Capabilities::default())
+            .validate(&module)
+            .map_err(|error| ExportError::Refused(error.to_string()))?;
+        Ok(Self { source, module, info })
+    }
+}
+
+/// What the scene says of the fields of shaders/frame.wgsl, for a picture one pixel high.
+pub fn settings(scene: &Scene) -> [(&'static str, Const); 7] {
+    let frame = Frame::new(&Moment::of(scene), &scene.render, 0, [1, 1], 0, [0.0; 2]);
+    [
+        ("eye", Const::Vec3(frame.eye.into())),
+        ("right", Const::Vec3(frame.right.into())),
+        ("up", Const::Vec3(frame.up.into())),
+        ("forward", Const::Vec3(frame.forward.into())),
+        ("pixel_spread", Const::F32(frame.pixel_spread)),
+        ("max_bounces", Const::U32(frame.max_bounces)),
+        ("shadow_samples", Const::U32(frame.shadow_samples)),
+    ]
+}

@@ -1,0 +1,65 @@
+//! A scene that is to be drawn without raytoy: its text brings along what raytoy adds to other scenes.
+//!
+//! In: a [`Scene`], and what its camera and settings come to. Out: a [`Source`] with other entry points.
+
+use super::code::{Code, Lines};
+use super::numbers::Numbers;
+use super::{Host, Mode, Source, Writer};
+use crate::ir::{Render, Scene, ToneMap, Transfer};
+use crate::library::Const;
+
+/// The module for `scene`, with its numbers as literals and an opening that only lists what is in it.
+///
+/// `settings` are fields of `Frame` in shaders/frame.wgsl. They get into the text for a host that has no
+/// uniforms; `pixel_spread` is then that of a picture one pixel high.
+pub fn generate_alone(scene: &Scene, host: Host, settings: &[(&str, Const)]) -> Source {
+    let mut writer = Writer::new(scene, Mode::Baked);
+    let body = writer.scene_text();
+    let mut text = writer.contents();
+    text.extend(body);
+    text.extend(display(&scene.render, &mut writer.numbers));
+    if host == Host::Shadertoy {
+        text.extend(preset(settings, &mut writer.numbers));
+    }
+    writer.sections(text, host)
+}
+
+/// The function `shown`: what shaders/display.wgsl does in raytoy, with nothing left to choose.
+fn display(render: &Render, numbers: &mut Numbers) -> Lines {
+    let mut number = |x: f32| numbers.constant(Const::F32(x));
+    let exposed = || [Code::atom("exposed")];
+    let gain = number(render.gain);
+    let toned = match render.tone_map {
+        ToneMap::Clamp => Code::call("min", [Code::atom("exposed"), Code::call("vec3f", [number(1.0)])]),
+        ToneMap::Reinhard => Code::call("tonedReinhard", exposed()),
+        ToneMap::Aces => Code::call("tonedAces", exposed()),
+        ToneMap::Agx => Code::call("tonedAgx", exposed()),
+    };
+    let encoded = match render.transfer {
+        Transfer::Linear => toned,
+        Transfer::Srgb => Code::call("encodedSrgb", [toned]),
+        Transfer::Gamma(gamma) => Code::call("pow", [toned, Code::call("vec3f", [number(1.0 / gamma)])]),
+    };
+    let mut lines = Lines::default();
+    lines.push("");
+    lines.push("/// Light as a screen shows it, by the scene's exposure, tone map and transfer curve.");
+    lines.push("fn shown(light: vec3f) -> vec3f {");
+    lines.statement(4, "let exposed = max(", &gain, " * light, vec3f(0.0));");
+    lines.statement(4, "return ", &encoded, ";");
+    lines.push("}");
+    lines
+}
+
+/// The function `setScene`, which fills the fields of `frame` that stay as they are.
+fn preset(settings: &[(&str, Const)], numbers: &mut Numbers) -> Lines {
+    let mut lines = Lines::default();
+    lines.push("");
+    lines.push("/// The scene's camera and settings.");
+    lines.push("fn setScene() {");
+    for (field, value) in settings {
+        let after = if *field == "pixel_spread" { " / frame.resolution.y;" } else { ";" };
+        lines.statement(4, &format!("frame.{field} = "), &numbers.constant(*value), after);
+    }
+    lines.push("}");
+    lines
+}

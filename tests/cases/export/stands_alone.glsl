@@ -1,0 +1,818 @@
+// tests/cases/export/stands_alone.ron: a scene as a shader of its own
+// Written by raytoy 0.1.0: raytoy generate tests/cases/export/stands_alone.ron --lang glsl
+//
+// Paste all of it at shadertoy.com/new, in place of what is there.
+//
+//   setScene()   the camera, and what the scene says under `render`: numbers to play with
+//   shown()      exposure, tone map and transfer curve
+//   iTime        is the time of what moves
+//   iMouse       is where the pointer was last pressed, for scenes that ask for it
+//
+// naga has translated it from WGSL. To read it with its comments: raytoy generate --standalone
+//
+//   objects   floor, ball
+//   shapes    Plane, Sphere
+//   textures  Checker, Gradient
+
+struct Ray {
+    vec3 origin;
+    float t_min;
+    vec3 direction;
+    float t_max;
+};
+struct Hit {
+    float t;
+    uint object;
+};
+struct Surface {
+    vec3 position;
+    vec3 normal;
+    vec3 facet;
+    vec2 uv;
+    vec3 world;
+    float footprint;
+};
+struct Placed {
+    Surface at;
+    vec3 normal;
+    vec3 facet;
+    float scale;
+};
+struct Material {
+    vec3 color;
+    float specular;
+    vec3 emission;
+    float shininess;
+    float reflectivity;
+    float fresnel;
+    float transmission;
+    float ior;
+};
+struct Light {
+    vec3 to;
+    float reach;
+    vec3 arriving;
+    float radius;
+    vec3 u;
+    vec3 v;
+};
+struct Frame {
+    vec3 eye;
+    float time;
+    vec3 right;
+    float pixel_spread;
+    vec3 up;
+    uint max_bounces;
+    vec3 forward;
+    uint shadow_samples;
+    vec2 resolution;
+    vec2 mouse;
+    vec2 jitter;
+    uint sample_;
+    uint view;
+    uint casters;
+};
+struct Seen {
+    vec3 radiance;
+    float depth;
+    vec3 value;
+    uint object;
+    uint bounces;
+};
+struct Branch {
+    vec3 origin;
+    float weight;
+    vec3 direction;
+    float width;
+    uint depth;
+};
+struct Looked {
+    Placed met;
+    Material material;
+};
+struct Shade {
+    vec3 light;
+    float visibility;
+};
+const uint OBJECT_FLOOR = 0u;
+const uint OBJECT_BALL = 1u;
+const uint LIGHTS = 1u;
+const bool TRANSMITS = false;
+const bool TEXTURED = true;
+const uint NO_OBJECT = 4294967295u;
+const float NO_HIT = 1e30;
+const float NO_FRESNEL = -1.0;
+const mat3x3 OCTAVE_TURN = mat3x3(vec3(0.48, 0.8, -0.36), vec3(-0.64, 0.6, 0.48), vec3(0.6, 0.0, 0.8));
+const vec3 OCTAVE_SHIFT = vec3(7.31, -3.57, 5.83);
+const uint MAX_WAITING = 9u;
+const uint MAX_RAYS = 1024u;
+const uint MOST_LOOKS = 9u;
+const float SPAWN_ERROR = 1e-5;
+const float MIN_WEIGHT = 0.001953125;
+
+uint work = 0u;
+
+Frame frame = Frame(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0u, vec2(0.0), vec2(0.0), vec2(0.0), 0u, 0u, 0u);
+
+uint zero = 0u;
+
+uint seed = 0u;
+
+Hit nearer(Hit hit, float t, uint object) {
+    uint _e5 = work;
+    work = (_e5 + 1u);
+    if ((t < (hit.t * 0.999996))) {
+        return Hit(t, object);
+    }
+    return hit;
+}
+
+float onRay(Ray ray, float t_1) {
+    bool local = false;
+    if ((t_1 > ray.t_min)) {
+        local = (t_1 < ray.t_max);
+    } else {
+        local = false;
+    }
+    bool _e10 = local;
+    return (_e10 ? t_1 : NO_HIT);
+}
+
+float plane(Ray ray_1, vec3 normal, float offset) {
+    float approach = dot(normal, ray_1.direction);
+    if ((abs(approach) < 1e-20)) {
+        return NO_HIT;
+    }
+    float _e13 = onRay(ray_1, ((offset - dot(normal, ray_1.origin)) / approach));
+    return _e13;
+}
+
+float nearestApproach(Ray ray_2, vec3 center) {
+    return (dot((center - ray_2.origin), ray_2.direction) * (1.0 / dot(ray_2.direction, ray_2.direction)));
+}
+
+float firstOnRay(Ray ray_3, float near, float far) {
+    float _e6 = onRay(ray_3, ((near > ray_3.t_min) ? near : far));
+    return _e6;
+}
+
+float sphere(Ray ray_4, vec3 center_1, float radius) {
+    float _e3 = nearestApproach(ray_4, center_1);
+    vec3 nearest = ((ray_4.origin - center_1) + (_e3 * ray_4.direction));
+    float inside = ((radius * radius) - dot(nearest, nearest));
+    if ((inside < 0.0)) {
+        return NO_HIT;
+    }
+    float reach = sqrt((inside / dot(ray_4.direction, ray_4.direction)));
+    float _e22 = firstOnRay(ray_4, (_e3 - reach), (_e3 + reach));
+    return _e22;
+}
+
+Hit rayTraceScene(Ray ray_5) {
+    Hit hit_1 = Hit(0.0, 0u);
+    hit_1 = Hit(ray_5.t_max, NO_OBJECT);
+    Hit _e5 = hit_1;
+    float _e11 = plane(ray_5, vec3(0.0, 1.0, 0.0), 0.0);
+    Hit _e13 = nearer(_e5, _e11, OBJECT_FLOOR);
+    hit_1 = _e13;
+    Hit _e14 = hit_1;
+    float _e20 = sphere(ray_5, vec3(0.0, 1.0, 0.0), 1.0);
+    Hit _e22 = nearer(_e14, _e20, OBJECT_BALL);
+    hit_1 = _e22;
+    Hit _e23 = hit_1;
+    return _e23;
+}
+
+bool sceneBlocks(Ray ray_6) {
+    float _e6 = plane(ray_6, vec3(0.0, 1.0, 0.0), 0.0);
+    if ((_e6 < NO_HIT)) {
+        return true;
+    }
+    float _e15 = sphere(ray_6, vec3(0.0, 1.0, 0.0), 1.0);
+    if ((_e15 < NO_HIT)) {
+        return true;
+    }
+    return false;
+}
+
+Placed placed(Surface at) {
+    return Placed(at, at.normal, at.facet, 1.0);
+}
+
+Surface surface(vec3 position, vec3 normal_1, vec2 uv) {
+    return Surface(position, normal_1, normal_1, uv, position, 0.0);
+}
+
+mat2x3 flatTangents(vec3 n) {
+    bool local_1 = false;
+    vec3 a_1 = abs(n);
+    bool level = (a_1.y >= max(a_1.x, a_1.z));
+    if (!(level)) {
+        local_1 = (a_1.x > a_1.z);
+    } else {
+        local_1 = false;
+    }
+    bool _e22 = local_1;
+    vec3 first = (_e22 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
+    vec3 second = (level ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0));
+    vec3 u = normalize((first - (dot(first, n) * n)));
+    vec3 v_2 = cross(n, u);
+    return mat2x3(u, ((dot(v_2, second) < 0.0) ? -(v_2) : v_2));
+}
+
+Surface planeSurface(vec3 p, vec3 normal_2, float offset_1) {
+    float size = length(normal_2);
+    vec3 n_4 = (normal_2 / vec3(size));
+    vec3 snapped = (p - ((dot(n_4, p) - (offset_1 / size)) * n_4));
+    mat2x3 _e11 = flatTangents(n_4);
+    Surface _e13 = surface(snapped, n_4, (snapped * _e11));
+    return _e13;
+}
+
+Surface sphereSurface(vec3 p_1, vec3 center_2, float radius_1) {
+    vec3 normal_5 = normalize((p_1 - center_2));
+    float longitude = atan(normal_5.z, ((abs(normal_5.x) < 1e-20) ? 1e-20 : normal_5.x));
+    float latitude = atan(normal_5.y, max(length(normal_5.xz), 1e-20));
+    Surface _e24 = surface((center_2 + (radius_1 * normal_5)), normal_5, (radius_1 * vec2(longitude, latitude)));
+    return _e24;
+}
+
+Placed surfaceAt(uint object_1, vec3 p_2) {
+    switch(object_1) {
+        case 0u: {
+            Surface _e7 = planeSurface(p_2, vec3(0.0, 1.0, 0.0), 0.0);
+            Placed _e8 = placed(_e7);
+            return _e8;
+        }
+        case 1u: {
+            Surface _e14 = sphereSurface(p_2, vec3(0.0, 1.0, 0.0), 1.0);
+            Placed _e15 = placed(_e14);
+            return _e15;
+        }
+        default: {
+            Surface _e22 = surface(p_2, vec3(0.0, 1.0, 0.0), vec2(0.0));
+            Placed _e23 = placed(_e22);
+            return _e23;
+        }
+    }
+}
+
+Material matte(vec3 color) {
+    return Material(color, 0.0, vec3(0.0), 50.0, 0.0, NO_FRESNEL, 0.0, 1.5);
+}
+
+vec2 dutyShare(vec2 x, vec2 width, float duty) {
+    vec2 f = (x - floor(x));
+    vec2 a_2 = (f - (0.5 * width));
+    vec2 b_1 = (f + (0.5 * width));
+    vec2 w = max(width, vec2(1e-20));
+    vec2 ends = (min((b_1 - floor(b_1)), vec2(duty)) - min((a_2 - floor(a_2)), vec2(duty)));
+    vec2 wide = ((((floor(b_1) - floor(a_2)) * duty) + ends) / w);
+    bvec2 inside_1 = lessThan(f, vec2(duty));
+    vec2 edge = mix(max((vec2(duty) - f), (f - vec2(1.0))), min(f, (vec2(duty) - f)), inside_1);
+    vec2 narrow = clamp((vec2(0.5) + (edge / w)), vec2(0.0), vec2(1.0));
+    vec2 soft = mix(wide, narrow, lessThan(width, vec2(min(duty, (1.0 - duty)))));
+    return mix(soft, vec2(inside_1), equal(width, vec2(0.0)));
+}
+
+vec3 checker(Surface at_1, float scale, vec3 even, vec3 odd) {
+    float half_scale = (0.5 * scale);
+    vec2 _e12 = dutyShare((at_1.uv * half_scale), vec2((at_1.footprint * half_scale)), 0.5);
+    vec2 side = ((2.0 * _e12) - vec2(1.0));
+    float share_1 = (0.5 + ((0.5 * side.x) * side.y));
+    return ((even * share_1) + (odd * (1.0 - share_1)));
+}
+
+Material floorMaterial(Surface at_2) {
+    vec3 _e6 = checker(at_2, 1.0, vec3(0.2), vec3(0.6));
+    Material _e7 = matte(_e6);
+    return _e7;
+}
+
+Material ballMaterial(Surface at_3) {
+    Material material = Material(vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
+    Material _e5 = matte(vec3(1.0, 0.12477182, 0.06301002));
+    material = _e5;
+    material.reflectivity = 0.2;
+    Material _e9 = material;
+    return _e9;
+}
+
+Material materialAt(uint object_2, Surface at_4) {
+    switch(object_2) {
+        case 0u: {
+            Material _e2 = floorMaterial(at_4);
+            return _e2;
+        }
+        case 1u: {
+            Material _e3 = ballMaterial(at_4);
+            return _e3;
+        }
+        default: {
+            Material _e6 = matte(vec3(0.0));
+            return _e6;
+        }
+    }
+}
+
+vec3 normalAt(uint object_3, Placed met) {
+    return met.normal;
+}
+
+Surface skyPoint(vec3 direction) {
+    vec2 uv_1 = vec2(atan(direction.z, direction.x), asin(clamp(direction.y, -1.0, 1.0)));
+    Surface _e10 = surface(direction, direction, uv_1);
+    return _e10;
+}
+
+vec3 gradient(Surface at_5, vec3 zenith, vec3 horizon) {
+    float height = clamp(at_5.position.y, 0.0, 1.0);
+    return ((horizon * (1.0 - height)) + (zenith * height));
+}
+
+vec3 background(vec3 direction_1) {
+    Surface _e1 = skyPoint(direction_1);
+    vec3 _e10 = gradient(_e1, vec3(0.10946172, 0.24620135, 0.58407843), vec3(0.73791045, 0.8148466, 0.91309863));
+    return _e10;
+}
+
+vec3 ambientLight() {
+    return vec3(0.1);
+}
+
+Light pointLight(vec3 p_3, vec3 position_1, float radius_2, vec3 color_1) {
+    return Light((position_1 - p_3), 1.0, color_1, radius_2, vec3(0.0), vec3(0.0));
+}
+
+Light lightAt(uint index, vec3 p_4) {
+    switch(index) {
+        case 0u: {
+            Light _e9 = pointLight(p_4, vec3(4.0, 6.0, 5.0), 0.5, vec3(1.0));
+            return _e9;
+        }
+        default: {
+            Light _e13 = pointLight(p_4, p_4, 0.0, vec3(0.0));
+            return _e13;
+        }
+    }
+}
+
+vec3 encodedSrgb(vec3 light) {
+    vec3 low = (light * 12.92);
+    vec3 high = ((1.055 * pow(light, vec3(0.41666666))) - vec3(0.055));
+    return mix(high, low, lessThanEqual(light, vec3(0.0031308)));
+}
+
+vec3 tonedAces(vec3 x_1) {
+    return clamp(((x_1 * ((2.51 * x_1) + vec3(0.03))) / ((x_1 * ((2.43 * x_1) + vec3(0.59))) + vec3(0.14))), vec3(0.0), vec3(1.0));
+}
+
+vec3 shown(vec3 light_1) {
+    vec3 exposed = max((1.4142135 * light_1), vec3(0.0));
+    vec3 _e6 = tonedAces(exposed);
+    vec3 _e7 = encodedSrgb(_e6);
+    return _e7;
+}
+
+void setScene() {
+    frame.eye = vec3(0.0, 2.0, 6.0);
+    frame.right = vec3(0.3639702, 0.0, 0.0);
+    frame.up = vec3(0.0, 0.359018, -0.059836328);
+    frame.forward = vec3(0.0, -0.16439898, -0.9863939);
+    float _e29 = frame.resolution.y;
+    frame.pixel_spread = (0.72794044 / _e29);
+    frame.max_bounces = 5u;
+    frame.shadow_samples = 16u;
+    return;
+}
+
+uint hashed(uint x_2) {
+    uint state = ((x_2 * 747796405u) + 2891336453u);
+    uint word = (((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u);
+    return ((word >> 22u) ^ word);
+}
+
+Material summed(Material a, Material b) {
+    return Material((a.color + b.color), (a.specular + b.specular), (a.emission + b.emission), (a.shininess + b.shininess), (a.reflectivity + b.reflectivity), b.fresnel, (a.transmission + b.transmission), b.ior);
+}
+
+Material meanOf(Material sum, float share) {
+    return Material((share * sum.color), (share * sum.specular), (share * sum.emission), (share * sum.shininess), (share * sum.reflectivity), sum.fresnel, (share * sum.transmission), sum.ior);
+}
+
+Looked looked(uint object_4, vec3 p_5, vec3 direction_2, float width_1) {
+    Looked seen = Looked(Placed(Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0), vec3(0.0), vec3(0.0), 0.0), Material(vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0));
+    uint looks = 1u;
+    float footprint = 0.0;
+    vec3 step_ = vec3(0.0);
+    uint i = 0u;
+    bool local_2 = false;
+    Surface at_6 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0);
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e106 = i;
+            i = (_e106 + 1u);
+        }
+        loop_init = false;
+        uint _e14 = i;
+        uint _e15 = looks;
+        if ((_e14 < _e15)) {
+        } else {
+            break;
+        }
+        {
+            uint _e17 = i;
+            uint _e23 = i;
+            float place = (float(((_e17 + 1u) / 2u)) * (((_e23 & 1u) == 1u) ? 1.0 : -1.0));
+            vec3 _e32 = step_;
+            Placed _e35 = surfaceAt(object_4, (p_5 + (place * _e32)));
+            uint _e36 = i;
+            if ((_e36 == 0u)) {
+                seen.met = _e35;
+                float cosine_1 = max(abs(dot(_e35.normal, direction_2)), 0.02);
+                vec3 along = (direction_2 - (dot(direction_2, _e35.normal) * _e35.normal));
+                uint wanted = ((2u * uint((0.5 / cosine_1))) + 1u);
+                if (TEXTURED) {
+                    local_2 = (width_1 > 0.0);
+                } else {
+                    local_2 = false;
+                }
+                bool _e66 = local_2;
+                uint _e69 = zero;
+                looks = ((_e66 ? min(wanted, MOST_LOOKS) : 1u) + _e69);
+                uint _e77 = looks;
+                step_ = (((along / vec3(max(length(along), 1e-6))) * width_1) / vec3((cosine_1 * float(_e77))));
+                uint _e82 = looks;
+                footprint = (max(width_1, (width_1 / (cosine_1 * float(_e82)))) * _e35.scale);
+                seen.met.at.footprint = ((width_1 * _e35.scale) / cosine_1);
+            }
+            at_6 = _e35.at;
+            float _e98 = footprint;
+            at_6.footprint = _e98;
+            Material _e101 = seen.material;
+            Surface _e102 = at_6;
+            Material _e103 = materialAt(object_4, _e102);
+            Material _e104 = summed(_e101, _e103);
+            seen.material = _e104;
+        }
+    }
+    Material _e110 = seen.material;
+    uint _e111 = looks;
+    Material _e115 = meanOf(_e110, (1.0 / float(_e111)));
+    seen.material = _e115;
+    Looked _e116 = seen;
+    return _e116;
+}
+
+vec3 spawnPoint(vec3 p_6, vec3 normal_3, float t_2) {
+    float size_1 = max(max(abs(p_6.x), abs(p_6.y)), max(abs(p_6.z), t_2));
+    return (p_6 + ((SPAWN_ERROR * size_1) * normal_3));
+}
+
+mat3x3 frameAround(vec3 axis) {
+    float s = ((axis.z >= 0.0) ? 1.0 : -1.0);
+    float a_3 = (-1.0 / (s + axis.z));
+    float b_2 = ((axis.x * axis.y) * a_3);
+    return mat3x3(vec3((1.0 + (((s * axis.x) * axis.x) * a_3)), (s * b_2), (-(s) * axis.x)), vec3(b_2, (s + ((axis.y * axis.y) * a_3)), -(axis.y)), axis);
+}
+
+float visibleShare(Light light_2, vec3 origin) {
+    vec2 spoke = vec2(0.0);
+    float open = 0.0;
+    uint i_1 = 0u;
+    uint _e4 = frame.shadow_samples;
+    uint _e6 = zero;
+    uint rays_1 = (_e4 + _e6);
+    uint n_5 = ((light_2.radius == 0.0) ? min(rays_1, 1u) : rays_1);
+    if ((n_5 == 0u)) {
+        return 1.0;
+    }
+    bool round_ = (light_2.radius >= 0.0);
+    mat3x3 _e22 = frameAround(normalize(light_2.to));
+    vec3 u_1 = (round_ ? (light_2.radius * _e22[0]) : light_2.u);
+    vec3 v_3 = (round_ ? (light_2.radius * _e22[1]) : light_2.v);
+    uint _e34 = seed;
+    uint _e39 = seed;
+    vec2 turn = (vec2(float((_e34 & 65535u)), float((_e39 >> 16u))) / vec2(65536.0));
+    spoke = normalize(((turn - vec2(0.5)) + vec2(1e-6)));
+    uint _e56 = work;
+    uint _e59 = frame.casters;
+    work = (_e56 + (n_5 * _e59));
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            uint _e120 = i_1;
+            i_1 = (_e120 + 1u);
+        }
+        loop_init_1 = false;
+        uint _e66 = i_1;
+        if ((_e66 < n_5)) {
+        } else {
+            break;
+        }
+        {
+            vec2 _e68 = spoke;
+            float _e72 = spoke.y;
+            float _e75 = spoke.x;
+            spoke = ((-0.7373689 * _e68) + (0.6754903 * vec2(-(_e72), _e75)));
+            uint _e80 = i_1;
+            vec2 _e87 = spoke;
+            vec2 disk = (sqrt(((float(_e80) + turn.x) / float(n_5))) * _e87);
+            uint _e89 = i_1;
+            vec2 square = ((2.0 * fract((turn + (float(_e89) * vec2(0.7548777, 0.5698403))))) - vec2(1.0));
+            vec2 on = (round_ ? disk : square);
+            Ray ray_7 = Ray(origin, 0.0, ((light_2.to + (on.x * u_1)) + (on.y * v_3)), light_2.reach);
+            float _e113 = open;
+            bool _e114 = sceneBlocks(ray_7);
+            open = (_e113 + (_e114 ? 0.0 : 1.0));
+        }
+    }
+    float _e122 = open;
+    return (_e122 / float(n_5));
+}
+
+Shade shade(vec3 p_7, vec3 origin_1, vec3 n_1, vec3 v, Material material_1) {
+    vec3 sum_1 = vec3(0.0);
+    float visible = 0.0;
+    float facing = 0.0;
+    uint i_2 = 0u;
+    bool local_3 = false;
+    vec3 _e6 = ambientLight();
+    sum_1 = (material_1.emission + (_e6 * material_1.color));
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            uint _e66 = i_2;
+            i_2 = (_e66 + 1u);
+        }
+        loop_init_2 = false;
+        uint _e17 = i_2;
+        if ((_e17 < LIGHTS)) {
+        } else {
+            break;
+        }
+        {
+            uint _e20 = i_2;
+            Light _e21 = lightAt(_e20, p_7);
+            vec3 l = normalize(_e21.to);
+            float cosine_2 = dot(n_1, l);
+            if ((cosine_2 > 0.0)) {
+                local_3 = (max(max(_e21.arriving.x, _e21.arriving.y), _e21.arriving.z) > 0.0);
+            } else {
+                local_3 = false;
+            }
+            bool _e40 = local_3;
+            if (_e40) {
+                float _e41 = visibleShare(_e21, origin_1);
+                vec3 h = normalize((l + v));
+                float highlight = (material_1.specular * pow(max(dot(n_1, h), 0.0), material_1.shininess));
+                vec3 _e51 = sum_1;
+                sum_1 = (_e51 + ((_e41 * _e21.arriving) * ((material_1.color * cosine_2) + vec3(highlight))));
+                float _e60 = visible;
+                visible = (_e60 + _e41);
+                float _e62 = facing;
+                facing = (_e62 + 1.0);
+            }
+        }
+    }
+    vec3 _e68 = sum_1;
+    float _e69 = visible;
+    float _e70 = facing;
+    return Shade(_e68, (_e69 / max(_e70, 1.0)));
+}
+
+vec3 surfaceView(Placed met_1, vec3 n_2, vec3 v_1, vec3 albedo, float visibility) {
+    return vec3(0.0);
+}
+
+float mirrored(Material material_2, float cosine) {
+    float r = material_2.reflectivity;
+    if ((material_2.fresnel < 0.0)) {
+        return r;
+    }
+    return (r + ((1.0 - r) * pow(max((1.0 - cosine), 0.0), material_2.fresnel)));
+}
+
+vec3 refracted(vec3 direction_3, vec3 normal_4, float ratio) {
+    float cosine_3 = -(dot(direction_3, normal_4));
+    float k = (1.0 - ((ratio * ratio) * (1.0 - (cosine_3 * cosine_3))));
+    if ((k < 0.0)) {
+        return reflect(direction_3, normal_4);
+    }
+    return ((ratio * direction_3) + (((ratio * cosine_3) - sqrt(k)) * normal_4));
+}
+
+Seen traceTree(vec3 origin_2, vec3 direction_4) {
+    Seen seen_1 = Seen(vec3(0.0), -1.0, vec3(0.0), 4294967295u, 0u);
+    Branch waiting[9] = Branch[9](Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u));
+    uint waits = 0u;
+    Branch branch = Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u);
+    uint rays = 0u;
+    bool follows = false;
+    vec3 n_3 = vec3(0.0);
+    bool local_4 = false;
+    bool local_5 = false;
+    bool local_6 = false;
+    vec3 away = vec3(0.0);
+    Branch heavier = Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u);
+    bool local_7 = false;
+    bool local_8 = false;
+    bool local_9 = false;
+    branch = Branch(origin_2, 1.0, direction_4, 0.0, 0u);
+    bool loop_init_3 = true;
+    while(true) {
+        if (!loop_init_3) {
+            uint _e238 = rays;
+            rays = (_e238 + 1u);
+        }
+        loop_init_3 = false;
+        uint _e21 = rays;
+        if ((_e21 < MAX_RAYS)) {
+        } else {
+            break;
+        }
+        {
+            vec3 _e25 = branch.origin;
+            vec3 _e27 = branch.direction;
+            Hit _e31 = rayTraceScene(Ray(_e25, 0.0, _e27, NO_HIT));
+            uint depth = branch.depth;
+            uint _e36 = seen_1.bounces;
+            seen_1.bounces = max(_e36, depth);
+            follows = false;
+            if ((_e31.object == NO_OBJECT)) {
+                vec3 _e44 = seen_1.radiance;
+                float _e46 = branch.weight;
+                vec3 _e48 = branch.direction;
+                vec3 _e49 = background(_e48);
+                seen_1.radiance = (_e44 + (_e46 * _e49));
+            } else {
+                vec3 _e53 = branch.origin;
+                vec3 _e56 = branch.direction;
+                vec3 p_8 = (_e53 + (_e31.t * _e56));
+                vec3 _e60 = branch.direction;
+                vec3 v_4 = -(_e60);
+                float _e63 = branch.width;
+                float _e66 = frame.pixel_spread;
+                float width_2 = (_e63 + (_e66 * _e31.t));
+                vec3 _e72 = branch.direction;
+                Looked _e73 = looked(_e31.object, p_8, _e72, width_2);
+                Placed met_2 = _e73.met;
+                Material material_3 = _e73.material;
+                bool inside_2 = (dot(met_2.facet, v_4) < 0.0);
+                vec3 facing_1 = (inside_2 ? -(met_2.facet) : met_2.facet);
+                vec3 _e85 = normalAt(_e31.object, met_2);
+                n_3 = _e85;
+                vec3 _e87 = n_3;
+                vec3 _e88 = n_3;
+                n_3 = (inside_2 ? -(_e88) : _e87);
+                vec3 _e91 = n_3;
+                vec3 _e92 = n_3;
+                n_3 = normalize((_e91 + (max((0.001 - dot(_e92, v_4)), 0.0) * v_4)));
+                vec3 _e102 = spawnPoint(p_8, facing_1, _e31.t);
+                vec3 _e103 = n_3;
+                Shade _e104 = shade(p_8, _e102, _e103, v_4, material_3);
+                if ((depth == 0u)) {
+                    seen_1.depth = _e31.t;
+                    seen_1.object = _e31.object;
+                    vec3 _e112 = n_3;
+                    vec3 _e115 = surfaceView(met_2, _e112, v_4, material_3.color, _e104.visibility);
+                    seen_1.value = _e115;
+                }
+                vec3 _e116 = n_3;
+                float _e121 = mirrored(material_3, clamp(dot(_e116, v_4), 0.0, 1.0));
+                float _e123 = branch.weight;
+                float stays = (_e123 * (1.0 - _e121));
+                vec3 _e128 = seen_1.radiance;
+                seen_1.radiance = (_e128 + ((stays * (1.0 - material_3.transmission)) * _e104.light));
+                uint _e138 = frame.max_bounces;
+                uint _e140 = zero;
+                bool deeper = (depth < (_e138 + _e140));
+                float _e144 = branch.weight;
+                float reflection = (_e144 * _e121);
+                float refraction = (stays * material_3.transmission);
+                if (deeper) {
+                    local_4 = (reflection >= MIN_WEIGHT);
+                } else {
+                    local_4 = false;
+                }
+                bool reflects = local_4;
+                if (TRANSMITS) {
+                    local_5 = deeper;
+                } else {
+                    local_5 = false;
+                }
+                bool _e158 = local_5;
+                if (_e158) {
+                    local_6 = (refraction >= MIN_WEIGHT);
+                } else {
+                    local_6 = false;
+                }
+                bool refracts = local_6;
+                vec3 into = branch.direction;
+                if (reflects) {
+                    vec3 _e167 = n_3;
+                    away = reflect(into, _e167);
+                    vec3 _e170 = away;
+                    vec3 _e171 = away;
+                    away = normalize((_e170 + (max((0.001 - dot(_e171, facing_1)), 0.0) * facing_1)));
+                    vec3 _e180 = away;
+                    branch = Branch(_e102, reflection, _e180, width_2, (depth + 1u));
+                }
+                if (refracts) {
+                    vec3 _e184 = n_3;
+                    vec3 _e190 = refracted(into, _e184, (inside_2 ? material_3.ior : (1.0 / material_3.ior)));
+                    vec3 _e197 = spawnPoint(p_8, ((dot(_e190, facing_1) > 0.0) ? facing_1 : -(facing_1)), _e31.t);
+                    Branch beyond = Branch(_e197, refraction, _e190, width_2, (depth + 1u));
+                    heavier = beyond;
+                    if (!(!(reflects))) {
+                        local_7 = (reflection > refraction);
+                    } else {
+                        local_7 = true;
+                    }
+                    bool _e208 = local_7;
+                    if (_e208) {
+                        Branch _e209 = branch;
+                        heavier = _e209;
+                        branch = beyond;
+                    }
+                    if (reflects) {
+                        uint _e210 = waits;
+                        Branch _e212 = heavier;
+                        waiting[_e210] = _e212;
+                        uint _e214 = waits;
+                        waits = (_e214 + 1u);
+                    }
+                }
+                if (!(reflects)) {
+                    local_8 = refracts;
+                } else {
+                    local_8 = true;
+                }
+                bool _e220 = local_8;
+                follows = _e220;
+            }
+            bool _e221 = follows;
+            if (!(_e221)) {
+                if (false) {
+                    uint _e226 = waits;
+                    local_9 = (_e226 == 0u);
+                } else {
+                    local_9 = true;
+                }
+                bool _e230 = local_9;
+                if (_e230) {
+                    break;
+                }
+                uint _e232 = waits;
+                waits = (_e232 - 1u);
+                uint _e234 = waits;
+                Branch _e236 = waiting[_e234];
+                branch = _e236;
+            }
+        }
+    }
+    Seen _e240 = seen_1;
+    return _e240;
+}
+
+Seen seenAt(vec2 pixel) {
+    vec2 _e3 = frame.jitter;
+    vec2 _e9 = frame.resolution;
+    float _e17 = frame.resolution.x;
+    float _e21 = frame.resolution.y;
+    vec2 place_1 = ((((2.0 * (pixel + _e3)) / _e9) - vec2(1.0)) * vec2((_e17 / _e21), -1.0));
+    vec3 _e28 = frame.forward;
+    vec3 _e32 = frame.right;
+    vec3 _e38 = frame.up;
+    vec3 direction_5 = normalize(((_e28 + (place_1.x * _e32)) + (place_1.y * _e38)));
+    uvec2 at_7 = uvec2(pixel);
+    uint _e48 = frame.sample_;
+    uint _e49 = hashed(_e48);
+    uint _e51 = hashed((at_7.y + _e49));
+    uint _e53 = hashed((at_7.x + _e51));
+    seed = _e53;
+    vec3 _e56 = frame.eye;
+    Seen _e57 = traceTree(_e56, direction_5);
+    return _e57;
+}
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    int _e3 = iFrame;
+    zero = uint(min(_e3, 0));
+    vec3 _e10 = iResolution;
+    frame.resolution = _e10.xy;
+    float _e15 = iTime;
+    frame.time = _e15;
+    vec4 _e17 = iMouse;
+    vec2 pressed = abs(_e17.zw);
+    float _e27 = iResolution.y;
+    frame.mouse = (any(greaterThan(pressed, vec2(0.0))) ? vec2(pressed.x, (_e27 - pressed.y)) : vec2(0.0));
+    setScene();
+    float _e39 = iResolution.y;
+    Seen _e43 = seenAt(vec2(fragCoord.x, (_e39 - fragCoord.y)));
+    vec3 _e45 = shown(_e43.radiance);
+    fragColor = vec4(_e45, 1.0);
+    return;
+}
+

@@ -1,0 +1,93 @@
+// Generated from tests/cases/export/stands_alone.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   floor, ball
+//   shapes    Plane, Sphere
+//   textures  Checker, Gradient
+
+const OBJECT_FLOOR: u32 = 0u;
+const OBJECT_BALL: u32 = 1u;
+const LIGHTS: u32 = 1u;
+/// Whether any ray goes through a surface.
+const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = Hit(ray.t_max, NO_OBJECT);
+    // objects[0] "floor": Plane()
+    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_FLOOR);
+    // objects[1] "ball": Sphere(center: (0, 1, 0))
+    hit = nearer(hit, sphere(ray, vec3f(0.0, 1.0, 0.0), 1.0), OBJECT_BALL);
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
+    if sphere(ray, vec3f(0.0, 1.0, 0.0), 1.0) < NO_HIT { return true; }
+    return false;
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_FLOOR: {
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+        }
+        case OBJECT_BALL: {
+            return placed(sphereSurface(p, vec3f(0.0, 1.0, 0.0), 1.0));
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_FLOOR: { return floorMaterial(at); }
+        case OBJECT_BALL: { return ballMaterial(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn floorMaterial(at: Surface) -> Material {
+    return matte(checker(at, 1.0, vec3f(0.2), vec3f(0.6)));
+}
+
+fn ballMaterial(at: Surface) -> Material {
+    var material = matte(vec3f(1.0, 0.12477182, 0.06301002));
+    material.reflectivity = 0.2;
+    return material;
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    return met.normal;
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    let at = skyPoint(direction);
+    return gradient(
+        at,
+        vec3f(0.10946172, 0.24620135, 0.58407843),
+        vec3f(0.73791045, 0.8148466, 0.91309863),
+    );
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.1);
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        // lights[0]: Point(position: (4, 6, 5), radius: 0.5)
+        case 0u: { return pointLight(p, vec3f(4.0, 6.0, 5.0), 0.5, vec3f(1.0)); }
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}
