@@ -27,8 +27,17 @@ const BESIDE: [i16; 2] = [640, 328];
 const UNDO: [i16; 2] = [354, 15];
 const ONLY_TRY: [i16; 2] = [862, 15];
 
+/// X keysyms.
+const SHIFT: u32 = 0xffe1;
+const CONTROL: u32 = 0xffe3;
+const ENTER: u32 = 0xff0d;
+const ESCAPE: u32 = 0xff1b;
+const F1: u32 = 0xffbe;
+
 const RED: [u8; 3] = [255, 0, 0];
 const BLACK: [u8; 3] = [0; 3];
+/// The view of normals, where the surface looks along z.
+const FACING: [u8; 3] = [128, 128, 255];
 
 const SCENE: &str = "(
     camera: (eye: (0, 0, 5), target: (0, 0, 0)), // looks along -z
@@ -133,4 +142,81 @@ fn what_is_only_tried_stays_out_of_the_file_and_is_merged_with_it() {
     desk.click(ONLY_TRY);
     let both = wait_for_text(&file, |text| text != outside);
     assert!(radius(&both).0 > 1.1 && both.contains("background: (0, 1, 0)"), "{both}");
+}
+
+#[test]
+fn keys_and_the_palette_give_the_same_commands() {
+    let Some((_home, _file, desk)) = chosen() else { return };
+    desk.focus();
+    desk.press(&[], b'v'.into());
+    desk.wait_for_color(BALL[0], BALL[1], FACING);
+    desk.press(&[SHIFT], b'v'.into());
+    desk.wait_for_color(BALL[0], BALL[1], RED);
+    // An open palette darkens the picture.
+    desk.press(&[CONTROL], b'p'.into());
+    desk.wait_for_change(BALL[0], BALL[1], RED);
+    desk.press(&[], ESCAPE);
+    desk.wait_for_color(BALL[0], BALL[1], RED);
+    desk.press(&[], F1);
+    desk.wait_for_change(BALL[0], BALL[1], RED);
+    desk.press(&[], ESCAPE);
+    desk.wait_for_color(BALL[0], BALL[1], RED);
+    desk.press(&[CONTROL], b'p'.into());
+    desk.type_text("w nor");
+    desk.press(&[], ENTER);
+    desk.wait_for_color(BALL[0], BALL[1], FACING);
+}
+
+#[test]
+fn the_magnifier_shows_what_is_under_the_pointer_beside_it() {
+    let Some((_home, _file, desk)) = chosen() else { return };
+    desk.focus();
+    // Nothing but black is near the pointer, and the glass lies over the ball.
+    desk.point(ABOVE);
+    let glass = [ABOVE[0] + 120, ABOVE[1] + 120];
+    desk.wait_for_color(glass[0], glass[1], RED);
+    desk.press(&[], b'z'.into());
+    desk.wait_for_color(glass[0], glass[1], BLACK);
+    desk.point(BALL);
+    desk.wait_for_color(BALL[0] + 120, BALL[1] + 120, RED);
+    desk.press(&[], b'z'.into());
+    desk.wait_for_color(glass[0], glass[1], RED);
+}
+
+#[test]
+fn what_is_chosen_in_the_window_is_there_again_the_next_day() {
+    let home = TempDir::new().expect("there is room for a folder");
+    let memory = home.path().join("memory");
+    fs::create_dir(&memory).expect("the folder is writable");
+    let kept = memory.join("window.json");
+    fs::write(&kept, "{\"size\": [700, 600], \"panel\": 300}").expect("the folder is writable");
+    fs::write(home.path().join("scene.ron"), SCENE).expect("the folder is writable");
+    let open = |scene| Desk::open_with(home.path(), scene, SIZE, Some(&memory), &[]);
+    let Some(mut desk) = open("scene.ron") else {
+        assert!(std::env::var_os("RAYTOY_REQUIRE_GPU").is_none(), "there is no Xvfb");
+        return eprintln!("skipped: no Xvfb");
+    };
+    desk.wait_for_event("ready");
+    assert_eq!(desk.focus(), [700, 600]);
+    let [x, y] = [690, 590];
+    let dark = desk.color_at(x, y);
+    assert!(dark[0] < 64, "{dark:?}");
+    desk.press(&[], b'l'.into());
+    desk.wait_for_change(x, y, dark);
+    let light = desk.color_at(x, y);
+    assert!(light[0] > 192, "{light:?}");
+    desk.press(&[CONTROL], b'n'.into());
+    let untitled = home.path().join("untitled.ron");
+    desk.wait_for("the new scene", |event| event["event"] == "presented" && event["change"] == "structure");
+    assert!(text(&untitled).starts_with("// "));
+    desk.press(&[CONTROL], b'q'.into());
+    desk.wait_for_end();
+    let told: serde_json::Value = serde_json::from_str(&text(&kept)).expect("it is JSON");
+    assert_eq!(told["size"], serde_json::json!([700, 600]));
+    assert_eq!(told["theme"], "light");
+    let recent = [untitled, home.path().join("scene.ron")];
+    assert_eq!(told["recent"], serde_json::json!(recent));
+    let mut desk = open("scene.ron").expect("there was one before");
+    desk.wait_for_event("ready");
+    assert_eq!(desk.color_at(x, y), light);
 }

@@ -14,6 +14,7 @@ use super::messages::{Notice, Wish};
 use super::painter;
 use super::panel;
 use super::screen::Screen;
+use super::settings::Theme;
 use crate::gpu::{AdapterChoice, Gpu};
 
 /// A window's device, and what stands on it.
@@ -46,7 +47,7 @@ impl Engine {
         window: &Arc<Window>,
         display: OwnedDisplayHandle,
         choice: &AdapterChoice,
-        scene: &Path,
+        (scene, theme): (&Path, Theme),
         notify: impl Fn(Notice) + Clone + Send + Sync + 'static,
     ) -> Result<Self, String> {
         let screen = Screen::new(window.clone(), display, choice)?;
@@ -66,7 +67,7 @@ impl Engine {
         let builder = builder::start(gpu.clone(), move |built| drop(wishes.send(Wish::Built(built))));
         let _ = builder.send(Order::Open(scene.to_owned()));
         let context = egui::Context::default();
-        panel::apply_style(&context);
+        panel::apply_style(&context, theme);
         let side = screen.gpu.device.limits().max_texture_dimension_2d as usize;
         let input = egui_winit::State::new(
             context.clone(),

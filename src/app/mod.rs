@@ -9,6 +9,7 @@
 mod album;
 mod builder;
 mod camera;
+mod commands;
 mod document;
 mod drawable;
 mod easel;
@@ -17,17 +18,23 @@ mod engine;
 mod events;
 mod focus;
 mod messages;
+mod open;
 mod pace;
 mod painter;
 mod panel;
 mod screen;
+mod settings;
+mod templates;
 mod window;
 
 use std::path::PathBuf;
 use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex};
 
+pub use commands::{COMMANDS, Command};
 pub use events::Event;
+pub use settings::{Settings, Theme, folder};
+pub use templates::{new_scene, new_texture};
 
 use crate::gpu::AdapterChoice;
 
@@ -35,11 +42,13 @@ use crate::gpu::AdapterChoice;
 #[derive(Clone, Debug)]
 pub struct Options {
     pub scene: PathBuf,
-    /// Of the window's inside, in points.
-    pub size: [u32; 2],
+    /// Of the window's inside, in points; None for what it was last.
+    pub size: Option<[u32; 2]>,
     pub adapter: AdapterChoice,
     /// What a program that drives the window asks for.
     pub remote: Option<Arc<Mutex<Receiver<Remote>>>>,
+    /// The folder in which the window's [`Settings`] are kept, if they are.
+    pub memory: Option<PathBuf>,
 }
 
 /// Something that a driving program can do and a hand cannot.

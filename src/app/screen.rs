@@ -16,6 +16,8 @@ pub struct Screen {
     /// What puts the picture there: faster than egui, which blends.
     display: Display,
     picture: Option<wgpu::Texture>,
+    /// As egui calls it.
+    picture_id: Option<egui::TextureId>,
 }
 
 impl Screen {
@@ -44,7 +46,7 @@ impl Screen {
         let options = egui_wgpu::RendererOptions { dithering: false, ..Default::default() };
         let egui = egui_wgpu::Renderer::new(&gpu.device, config.format, options);
         let display = Display::new(&gpu, config.format);
-        Ok(Self { gpu, surface, config, egui, display, picture: None })
+        Ok(Self { gpu, surface, config, egui, display, picture: None, picture_id: None })
     }
 
     pub fn resize(&mut self, width: u32, height: u32) {
@@ -55,13 +57,14 @@ impl Screen {
         }
     }
 
-    pub fn has_picture(&self) -> bool {
-        self.picture.is_some()
+    /// The picture, as egui calls it.
+    pub fn picture_id(&self) -> Option<egui::TextureId> {
+        self.picture_id
     }
 
     pub fn set_picture(&mut self, texels: Texels) {
         let Gpu { device, queue, .. } = &self.gpu;
-        self.picture = Some(match texels {
+        let texture = match texels {
             Texels::Shared(texture) => texture,
             Texels::Bytes { size: [width, height], rgba } => {
                 let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
@@ -75,7 +78,13 @@ impl Screen {
                 queue.write_texture(texture.as_image_copy(), &rgba, layout, size);
                 texture
             }
-        });
+        };
+        let (view, filter) = (texture.create_view(&Default::default()), wgpu::FilterMode::Nearest);
+        match self.picture_id {
+            Some(id) => self.egui.update_egui_texture_from_wgpu_texture(device, &view, filter, id),
+            None => self.picture_id = Some(self.egui.register_native_texture(device, &view, filter)),
+        }
+        self.picture = Some(texture);
     }
 
     /// Draws the picture at its corner, so many pixels wide, and what egui has laid out; whether the screen

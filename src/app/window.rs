@@ -1,7 +1,6 @@
 //! The window's thread: winit's events in, wishes out. It never compiles, draws a scene or waits for the GPU.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -13,8 +12,10 @@ use winit::window::{Window, WindowId};
 use super::builder::Order;
 use super::engine::{self, Engine};
 use super::events::Event;
-use super::messages::{Look, Notice, Picture, Wish};
-use super::panel::{CaptureDeed, Panel};
+use super::messages::{Notice, Wish};
+use super::open::Open;
+use super::panel::Panel;
+use super::settings::{Memory, Theme};
 use super::{Options, Remote};
 use crate::diagnostic::{Diagnostic, Report, Severity};
 use crate::gpu::GpuError;
@@ -46,34 +47,18 @@ struct App<'a> {
 /// A driver that gives up this often before it has drawn anything does not come back.
 const MOST_IN_VAIN: u32 = 4;
 
-/// What exists while the window does.
-struct Open {
-    window: Arc<Window>,
-    engine: Engine,
-    /// How many devices were lost before this one.
-    restarts: u32,
-    /// How many since a picture was there.
-    vain: u32,
-    panel: Panel,
-    look: Option<Look>,
-    /// A picture that was set and not presented yet.
-    fresh: Option<Event>,
-    noticed: Option<Instant>,
-    last_edit: Option<u64>,
-    wake: Option<Instant>,
-}
-
 impl App<'_> {
     fn open(&self, event_loop: &ActiveEventLoop) -> Result<Open, String> {
-        let [width, height] = self.options.size;
+        let memory = Memory::open(self.options.memory.clone());
+        let [width, height] = self.options.size.unwrap_or(memory.kept().size);
         let attributes = Window::default_attributes()
             .with_title("raytoy")
             .with_inner_size(winit::dpi::LogicalSize::new(width, height));
         let window = Arc::new(event_loop.create_window(attributes).map_err(|e| e.to_string())?);
-        let engine = self.engine(&window, event_loop, 0, &self.options.scene)?;
-        let panel = Panel::new(&self.options.scene, engine.adapter());
+        let engine = self.engine(&window, event_loop, 0, &self.options.scene, memory.kept().theme)?;
+        let panel = Panel::new(&self.options.scene, engine.adapter(), memory.kept().clone());
         (self.on_event)(&Event::Opened { adapter: engine.adapter() });
-        Ok(Open::new(window, engine, 0, panel))
+        Ok(Open::new(window, engine, 0, panel, memory))
     }
 
     /// Starts the device with this number, counted from 0, and all that stands on it.
@@ -83,23 +68,30 @@ impl App<'_> {
         event_loop: &ActiveEventLoop,
         number: u32,
         scene: &Path,
+        theme: Theme,
     ) -> Result<Engine, String> {
         let proxy = self.proxy.clone();
         // A loop that has ended wants no more news.
         let notify = move |notice| drop(proxy.send_event((number, notice)));
-        Engine::start(window, event_loop.owned_display_handle(), &self.options.adapter, scene, notify)
+        Engine::start(
+            window,
+            event_loop.owned_display_handle(),
+            &self.options.adapter,
+            (scene, theme),
+            notify,
+        )
     }
 
     /// Goes on with another device in place of one that is lost. What the author has done stays.
     fn restart(&mut self, event_loop: &ActiveEventLoop, why: String) {
         let Some(open) = self.open.take() else { return };
-        let Open { window, engine, restarts, vain, mut panel, .. } = open;
+        let Open { window, engine, restarts, vain, mut panel, memory: kept, .. } = open;
         let memory = engine.context.memory(Clone::clone);
         // The surface has to let go of the window before another one takes it.
         drop(engine);
         let number = restarts + 1;
         let started = match vain < MOST_IN_VAIN {
-            true => self.engine(&window, event_loop, number, panel.scene()),
+            true => self.engine(&window, event_loop, number, panel.scene(), panel.settings.theme),
             false => Err(format!("the GPU is lost again and again: {why}")),
         };
         match started {
@@ -110,7 +102,7 @@ impl App<'_> {
                 }
                 window.request_redraw();
                 (self.on_event)(&Event::Restarted { adapter: engine.adapter(), why });
-                self.open = Some(Open { vain: vain + 1, ..Open::new(window, engine, number, panel) });
+                self.open = Some(Open { vain: vain + 1, ..Open::new(window, engine, number, panel, kept) });
             }
             Err(why) => {
                 self.failure = Some(why);
@@ -224,74 +216,18 @@ impl ApplicationHandler<(u32, Notice)> for App<'_> {
         }
     }
 
+    fn exiting(&mut self, _: &ActiveEventLoop) {
+        if let Some(open) = &mut self.open {
+            open.panel.settings.take_size(&open.window);
+            open.memory.keep(&open.panel.settings);
+        }
+    }
+
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
+        if self.open.as_ref().is_some_and(|open| open.quits) {
+            event_loop.exit();
+        }
         let wake = self.open.as_ref().and_then(|open| open.wake);
         event_loop.set_control_flow(wake.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
-    }
-}
-
-impl Open {
-    fn new(window: Arc<Window>, engine: Engine, restarts: u32, panel: Panel) -> Self {
-        let (look, fresh, noticed, last_edit, wake) = (None, None, None, None, None);
-        Self { window, engine, restarts, vain: 0, panel, look, fresh, noticed, last_edit, wake }
-    }
-
-    fn take(&mut self, picture: Picture) {
-        self.vain = 0;
-        let is_new_edit = self.last_edit != Some(picture.edit);
-        self.last_edit = Some(picture.edit);
-        self.panel.take(&picture, is_new_edit);
-        self.noticed = Some(picture.noticed);
-        self.fresh = Some(Event::Presented {
-            edit: picture.edit,
-            change: picture.change,
-            samples: picture.samples,
-            resolution: picture.resolution,
-            pipelines: picture.pipelines,
-            since_change_ms: 0.0,
-            blocked_ms: 0.0,
-        });
-        self.window.set_title(&format!("{} - raytoy", picture.compiled.scene.name));
-        self.engine.screen.set_picture(picture.texels);
-    }
-
-    /// A scene that is let go over the window takes the place of the one there.
-    fn drop_file(&mut self, file: PathBuf) {
-        if file.extension().is_some_and(|ending| ending == "ron") {
-            let _ = self.engine.builder.send(self.panel.open(&file));
-            self.window.request_redraw();
-        }
-    }
-
-    /// Lays out and presents; whether the screen shows it.
-    fn draw(&mut self) -> bool {
-        let input = self.engine.input.take_egui_input(&self.window);
-        let has_picture = self.engine.screen.has_picture();
-        let mut reply = None;
-        let mut output =
-            self.engine.context.run_ui(input, |ui| reply = Some(self.panel.show(ui, has_picture)));
-        if let Some(reply) = reply {
-            match reply.capture {
-                Some(CaptureDeed::Take(order)) => self.engine.album.take(*order),
-                Some(CaptureDeed::Stop) => self.engine.album.stop(),
-                None => {}
-            }
-            for order in reply.orders {
-                let _ = self.engine.builder.send(order);
-            }
-            if self.look != Some(reply.look) {
-                self.look = Some(reply.look);
-                let _ = self.engine.painter.send(Wish::Look(reply.look));
-            }
-        }
-        let delays = output.viewport_output.values().map(|viewport| viewport.repaint_delay);
-        let delay = delays.min().unwrap_or(Duration::MAX);
-        self.wake = Instant::now().checked_add(delay).filter(|_| delay < Duration::from_secs(3600));
-        self.engine.input.handle_platform_output(&self.window, std::mem::take(&mut output.platform_output));
-        let place = self.look.map_or(([0; 2], 1), |look| (look.corner, look.size[0]));
-        let Engine { screen, context, .. } = &mut self.engine;
-        // egui's renderer panics where the device is lost, which is about to be told.
-        catch_unwind(AssertUnwindSafe(|| screen.present(place, context, output, &self.window)))
-            .unwrap_or(false)
     }
 }

@@ -69,9 +69,9 @@ pub enum Command {
 pub struct ViewOptions {
     /// The scene
     pub scene: PathBuf,
-    /// Size of the window
-    #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
-    pub size: [u32; 2],
+    /// Size of the window, unless told as it was last, and 1280x720 at first
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<[u32; 2]>,
     /// fastest, software, or a part of its name
     #[arg(long, default_value = "fastest", value_parser = adapter)]
     pub adapter: AdapterChoice,

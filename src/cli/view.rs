@@ -19,12 +19,10 @@ pub fn run(options: &ViewOptions) -> Result {
             println!("{}", serde_json::to_string(event).expect("numbers and strings"));
         }
     };
-    let window = app::Options {
-        scene: options.scene.clone(),
-        size: options.size,
-        adapter: options.adapter.clone(),
-        remote: options.events.then(|| Arc::new(Mutex::new(remote()))),
-    };
+    let (scene, adapter) = (options.scene.clone(), options.adapter.clone());
+    let memory = app::folder(options.events, |name| std::env::var_os(name));
+    let remote = options.events.then(|| Arc::new(Mutex::new(remote())));
+    let window = app::Options { scene, size: options.size, adapter, memory, remote };
     app::run(window, &on_event).map_err(Failure::Call)
 }
 

@@ -49,8 +49,8 @@ pub struct Verdict {
     pub limits: Limits,
 }
 
-/// Another driver rounds up where one rounds down, in all of a smooth picture. FLIP counts each step in a dark
-/// place as half a hundredth, and there would be no room left below what a person calls a change.
+/// Another driver rounds up where one rounds down, in all of a smooth picture. FLIP counts each step in a
+/// dark place as half a hundredth, and there would be no room left below what a person calls a change.
 const ROUNDING: u8 = 1;
 
 /// A measure beyond its limit.

@@ -32,6 +32,18 @@ impl Desk {
     /// Opens `scene` from the folder `home` in a window of `size`; None where there is no Xvfb.
     pub fn open(home: &Path, scene: &str, size: [u16; 2]) -> Option<Self> {
         let [width, height] = size;
+        Self::open_with(home, scene, size, None, &["--size", &format!("{width}x{height}")])
+    }
+
+    /// The same on a screen of `size`, with more arguments, and with a folder for what raytoy remembers.
+    pub fn open_with(
+        home: &Path,
+        scene: &str,
+        size: [u16; 2],
+        memory: Option<&Path>,
+        arguments: &[&str],
+    ) -> Option<Self> {
+        let [width, height] = size;
         let mut server = Command::new("Xvfb")
             .args(["-displayfd", "1", "-screen", "0", &format!("{width}x{height}x24"), "-nolisten", "tcp"])
             .stdout(Stdio::piped())
@@ -45,15 +57,10 @@ impl Desk {
         let (screen, at) = x11rb::connect(Some(&display)).expect("the server is up");
         let root = screen.setup().roots[at].root;
         let mut raytoy = Command::new(env!("CARGO_BIN_EXE_raytoy"))
-            .args([
-                "view",
-                scene,
-                "--events",
-                "--adapter",
-                "software",
-                "--size",
-                &format!("{width}x{height}"),
-            ])
+            .args(["view", scene, "--events", "--adapter", "software"])
+            .args(arguments)
+            .env_remove("RAYTOY_CONFIG")
+            .envs(memory.map(|folder| ("RAYTOY_CONFIG", folder)))
             .current_dir(home)
             .env("DISPLAY", &display)
             .env_remove("WAYLAND_DISPLAY")
@@ -143,11 +150,62 @@ impl Desk {
         self.hand(xproto::BUTTON_RELEASE_EVENT, 1, to);
     }
 
+    /// Moves the pointer.
+    pub fn point(&self, at: [i16; 2]) {
+        self.hand(xproto::MOTION_NOTIFY_EVENT, 0, at);
+    }
+
     /// Presses the first button and lets it go.
     pub fn click(&self, at: [i16; 2]) {
         self.hand(xproto::MOTION_NOTIFY_EVENT, 0, at);
         self.hand(xproto::BUTTON_PRESS_EVENT, 1, at);
         self.hand(xproto::BUTTON_RELEASE_EVENT, 1, at);
+    }
+
+    /// Gives the window the keyboard, which without a window manager nobody does. Returns the window's size.
+    pub fn focus(&self) -> [u16; 2] {
+        let tree =
+            self.screen.query_tree(self.root).expect("the server is up").reply().expect("there is a root");
+        let sized = tree.children.into_iter().filter_map(|window| {
+            let looks = self.screen.get_window_attributes(window).ok()?.reply().ok()?;
+            let size = self.screen.get_geometry(window).ok()?.reply().ok()?;
+            (looks.map_state == xproto::MapState::VIEWABLE).then_some((window, [size.width, size.height]))
+        });
+        let (window, size) = sized.max_by_key(|(_, size)| size[0]).expect("the window is open");
+        let parent = xproto::InputFocus::PARENT;
+        self.screen.set_input_focus(parent, window, x11rb::CURRENT_TIME).expect("the server is up");
+        self.screen.flush().expect("the server is up");
+        size
+    }
+
+    /// Presses the key with the X keysym `key` while those of `held` are down, and lets all go.
+    pub fn press(&self, held: &[u32], key: u32) {
+        let keys: Vec<u8> = held.iter().chain([&key]).map(|key| self.keycode(*key)).collect();
+        keys.iter().for_each(|code| self.hand(xproto::KEY_PRESS_EVENT, *code, [0, 0]));
+        keys.iter().rev().for_each(|code| self.hand(xproto::KEY_RELEASE_EVENT, *code, [0, 0]));
+    }
+
+    /// Types small letters and blanks, whose keysyms are their ASCII codes.
+    pub fn type_text(&self, text: &str) {
+        text.bytes().for_each(|letter| self.press(&[], letter.into()));
+    }
+
+    fn keycode(&self, keysym: u32) -> u8 {
+        let setup = self.screen.setup();
+        let (first, last) = (setup.min_keycode, setup.max_keycode);
+        let mapping = self.screen.get_keyboard_mapping(first, last - first + 1).expect("the server is up");
+        let mapping = mapping.reply().expect("there is a keyboard");
+        let mut keys = mapping.keysyms.chunks(mapping.keysyms_per_keycode.into());
+        first + keys.position(|symbols| symbols[0] == keysym).expect("the keyboard has the key") as u8
+    }
+
+    /// Waits until raytoy ends by itself.
+    pub fn wait_for_end(&mut self) {
+        let until = Instant::now() + PATIENCE;
+        while self.raytoy.try_wait().expect("it is our child").is_none() {
+            assert!(Instant::now() < until, "raytoy does not end");
+            std::thread::sleep(Duration::from_millis(10));
+        }
     }
 
     fn hand(&self, kind: u8, detail: u8, at: [i16; 2]) {

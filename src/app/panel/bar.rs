@@ -1,180 +1,96 @@
-//! The bars above and below the picture: scene, view, undo, saving; and the clock of scenes that move.
+//! The bars above and below the picture: menus, buttons, saving; and the clock of scenes that move.
 
-use std::path::Path;
 use std::time::Instant;
 
-use egui::{Align, Color32, Key, KeyboardShortcut, Layout, Modifiers, RichText, Ui};
+use egui::{Align, Layout, RichText, Ui};
 
 use super::{Deeds, Panel};
-use crate::app::builder::Order;
-use crate::app::focus::Focus;
+use crate::app::commands::Command;
 use crate::app::messages::Clock;
-use crate::edit::{Edit, NewValue};
 use crate::gpu::View;
-use crate::outline::NodeKind;
-
-const UNDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Z);
-const REDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
-const REDO_TOO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Y);
-const HOME: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::Home);
-const PAUSE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::Space);
-
-const GIZMOS: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::G);
-const NOTHING: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::Escape);
 
 /// Seconds from one frame to the next when time is stepped by hand.
 const FRAME: f32 = 1.0 / 60.0;
+/// Points that a button of the bar needs beside what stands at the right end.
+const ENOUGH: f32 = 165.0;
 /// Seconds that the scrubber spans.
 const SPAN: f32 = 20.0;
 
 impl Panel {
-    pub(super) fn keys(&mut self, ui: &Ui, deeds: &mut Deeds) {
-        let pressed = |shortcut| ui.input_mut(|input| input.consume_shortcut(&shortcut));
-        deeds.redo |= pressed(REDO) || pressed(REDO_TOO);
-        deeds.undo |= pressed(UNDO);
-        if ui.memory(|memory| memory.focused().is_some()) {
-            return;
-        }
-        if pressed(HOME) {
-            self.camera = None;
-        }
-        if pressed(PAUSE) {
-            self.toggle_clock();
-        }
-        if pressed(GIZMOS) {
-            self.gizmos = !self.gizmos;
-        }
-        if pressed(NOTHING) {
-            self.selected = None;
-        }
-    }
-
     pub(super) fn bar(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
         ui.add_space(3.0);
         ui.horizontal(|ui| {
-            ui.label(RichText::new("raytoy").strong().size(15.0));
+            self.main_menu(ui, deeds);
             ui.separator();
             self.scene_menu(ui, deeds);
             self.view_menu(ui);
             ui.separator();
-            let button = |ui: &mut Ui, on: bool, text: &str, shortcut: KeyboardShortcut| {
-                let help = ui.ctx().format_shortcut(&shortcut);
-                ui.add_enabled(on, egui::Button::new(text)).on_hover_text(help).clicked()
-            };
-            deeds.undo |= button(ui, self.document.can_undo(), "Undo", UNDO);
-            deeds.redo |= button(ui, self.document.can_redo(), "Redo", REDO);
-            self.camera_buttons(ui, deeds);
-            ui.separator();
-            let help = "show lights, the camera's target and bounds (G)";
-            ui.toggle_value(&mut self.gizmos, "Gizmos").on_hover_text(help);
-            self.focus_button(ui, deeds);
-            if ui.button("Save picture").on_hover_text("as PNG or EXR of any size, or as a movie").clicked() {
-                self.dialog.toggle();
+            for command in [Command::Undo, Command::Redo, Command::Home, Command::KeepView] {
+                self.button(ui, command, deeds);
             }
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| self.saving(ui));
+            ui.separator();
+            for command in [Command::Gizmos, Command::OnlyThis, Command::SavePicture] {
+                if ui.available_width() > ENOUGH {
+                    self.button(ui, command, deeds);
+                }
+            }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| self.saving(ui, deeds));
         });
         ui.add_space(1.0);
     }
 
-    fn camera_buttons(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
-        let moved = self.camera;
-        let help = "back to the scene's camera (Home)\ndrag: turn, right drag: move, wheel: zoom";
-        if ui.add_enabled(moved.is_some(), egui::Button::new("Home")).on_hover_text(help).clicked() {
-            self.camera = None;
-        }
-        let help = "write this camera into the scene";
-        let keep = ui.add_enabled(moved.is_some(), egui::Button::new("Keep view")).on_hover_text(help);
-        if keep.clicked()
-            && let Some(camera) = moved
-        {
-            let path = crate::scene::Path::default().field("camera");
-            for (name, point) in [("eye", camera.eye), ("target", camera.target)] {
-                let numbers = point.to_array().map(|x| (x * 1e3).round() / 1e3).to_vec();
-                let value = NewValue::Vector(numbers);
-                deeds.edits.push(Edit::Set { path: path.field(name), value });
+    fn main_menu(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+        let title = egui::Button::new(RichText::new("raytoy").strong().size(15.0)).frame(false);
+        egui::containers::menu::MenuButton::from_button(title).ui(ui, |ui| {
+            ui.set_min_width(180.0);
+            self.menu_item(ui, Command::NewScene, deeds);
+            self.menu_item(ui, Command::NewTexture, deeds);
+            ui.separator();
+            for command in [Command::Gizmos, Command::OnlyThis, Command::Magnifier, Command::SavePicture] {
+                self.menu_item(ui, command, deeds);
             }
-        }
-    }
-
-    /// Shows what is chosen alone, and then all again.
-    fn focus_button(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
-        let chosen = self.chosen().and_then(|node| match node.kind {
-            NodeKind::Object => Some(Focus::Object(node.label.clone())),
-            NodeKind::Material => Some(Focus::Material(node.label.clone())),
-            _ => None,
-        });
-        let mut is_on = self.focus != Focus::All;
-        let help = "show only the chosen object, or the chosen material on a stage";
-        let can = is_on || chosen.is_some();
-        ui.add_enabled_ui(can, |ui| {
-            if ui.toggle_value(&mut is_on, "Only this").on_hover_text(help).changed() {
-                self.focus = if is_on { chosen.unwrap_or_default() } else { Focus::All };
-                deeds.orders.push(Order::Focus(self.focus.clone()));
+            ui.separator();
+            for command in [Command::Palette, Command::CheatSheet, Command::Theme, Command::Quit] {
+                self.menu_item(ui, command, deeds);
             }
         });
-    }
-
-    fn scene_menu(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
-        let mut chosen = None;
-        egui::ComboBox::from_id_salt("scene").width(150.0).selected_text(stem(&self.scene)).show_ui(
-            ui,
-            |ui| {
-                for scene in &self.scenes {
-                    if ui.selectable_label(*scene == self.scene, stem(scene)).clicked()
-                        && *scene != self.scene
-                    {
-                        chosen = Some(scene.clone());
-                    }
-                }
-            },
-        );
-        if let Some(scene) = chosen {
-            deeds.orders.push(self.open(&scene));
-        }
     }
 
     fn view_menu(&mut self, ui: &mut Ui) {
         let name = |view: View| View::ALL.iter().find(|(_, v)| *v == view).map_or("", |(name, _)| name);
-        egui::ComboBox::from_id_salt("view").width(90.0).selected_text(name(self.view)).show_ui(ui, |ui| {
-            for (name, view) in View::ALL {
-                ui.selectable_value(&mut self.view, view, name);
-            }
-        });
+        egui::ComboBox::from_id_salt("view")
+            .width(90.0)
+            .height(480.0)
+            .selected_text(name(self.view))
+            .show_ui(ui, |ui| {
+                for (name, view) in View::ALL {
+                    ui.selectable_value(&mut self.view, view, name);
+                }
+            });
     }
 
     /// Where edits go, and what became of them.
-    fn saving(&mut self, ui: &mut Ui) {
-        let help = "off: what you change here goes to the scene's file at once\n\
-                    on: it is only shown, and goes to the file when you switch this off";
-        ui.toggle_value(&mut self.document.tries_only, "Only try").on_hover_text(help);
+    fn saving(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+        self.button(ui, Command::OnlyTry, deeds);
+        let visuals = ui.visuals();
         let (text, color) = match (&self.document.failure, &self.notice, self.document.is_saved()) {
-            (Some(failure), ..) => (failure.as_str(), Color32::from_rgb(255, 110, 100)),
-            (None, Some(notice), _) => (notice.as_str(), Color32::from_rgb(245, 190, 80)),
-            (None, None, false) => ("not saved", Color32::from_rgb(245, 190, 80)),
-            (None, None, true) => ("saved", Color32::from_gray(120)),
+            (Some(failure), ..) => (failure.as_str(), visuals.error_fg_color),
+            (None, Some(notice), _) => (notice.as_str(), visuals.warn_fg_color),
+            (None, None, false) => ("not saved", visuals.warn_fg_color),
+            (None, None, true) => ("saved", visuals.weak_text_color()),
         };
-        ui.add(egui::Label::new(RichText::new(text).color(color).small()).truncate());
+        ui.add(egui::Label::new(RichText::new(text).color(color).small()).truncate()).on_hover_text(text);
     }
 
-    pub(super) fn clock_bar(&mut self, ui: &mut Ui) {
+    pub(super) fn clock_bar(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
         ui.add_space(2.0);
         ui.horizontal(|ui| {
             let runs = matches!(self.clock, Clock::Running { .. });
-            if ui.button(if runs { "⏸" } else { "▶" }).on_hover_text("Space").clicked() {
-                self.toggle_clock();
-            }
-            if ui.button("⏮").on_hover_text("back to the beginning").clicked() {
-                self.clock = match self.clock {
-                    Clock::Running { .. } => Clock::Running { then: 0.0, at: Instant::now() },
-                    Clock::Stopped(_) => Clock::Stopped(0.0),
-                };
-            }
+            self.button_called(ui, if runs { "⏸" } else { "▶" }, Command::Pause, deeds);
+            self.button_called(ui, "⏮", Command::Rewind, deeds);
+            self.button_called(ui, "−1", Command::StepBack, deeds);
+            self.button_called(ui, "+1", Command::StepForward, deeds);
             let mut time = self.clock.time();
-            for (name, step) in [("−1", -FRAME), ("+1", FRAME)] {
-                if ui.button(name).on_hover_text("one frame of a sixtieth of a second").clicked() {
-                    self.clock = Clock::Stopped((time + step).max(0.0));
-                }
-            }
             ui.spacing_mut().slider_width = ui.available_width() - 80.0;
             let end = SPAN * (1.0 + (time / SPAN).floor());
             let slider = egui::Slider::new(&mut time, 0.0..=end).suffix(" s").fixed_decimals(2);
@@ -187,14 +103,22 @@ impl Panel {
         ui.add_space(2.0);
     }
 
-    fn toggle_clock(&mut self) {
+    pub(super) fn toggle_clock(&mut self) {
         self.clock = match self.clock {
             Clock::Running { .. } => Clock::Stopped(self.clock.time()),
             Clock::Stopped(then) => Clock::Running { then, at: Instant::now() },
         };
     }
-}
 
-fn stem(path: &Path) -> String {
-    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+    pub(super) fn rewind(&mut self) {
+        self.clock = match self.clock {
+            Clock::Running { .. } => Clock::Running { then: 0.0, at: Instant::now() },
+            Clock::Stopped(_) => Clock::Stopped(0.0),
+        };
+    }
+
+    /// Stops the clock so many frames further.
+    pub(super) fn step(&mut self, frames: f32) {
+        self.clock = Clock::Stopped((self.clock.time() + frames * FRAME).max(0.0));
+    }
 }

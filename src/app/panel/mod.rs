@@ -4,14 +4,19 @@
 
 mod bar;
 mod capture;
+mod commands;
 mod facts;
 mod fields;
 mod inspector;
+mod magnifier;
 mod mistakes;
+mod palette;
 mod pending;
 mod picking;
 mod picture;
+mod scenes;
 mod shader;
+mod sheet;
 mod style;
 mod tree;
 mod widgets;
@@ -20,7 +25,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use egui::Ui;
+use egui::{TextureId, Ui};
 
 pub use self::capture::Deed as CaptureDeed;
 pub use self::pending::Pending;
@@ -31,6 +36,7 @@ use super::document::Document;
 use super::editor;
 use super::focus::Focus;
 use super::messages::{Clock, Look, Picture};
+use super::settings::{self, Settings};
 use crate::Compiled;
 use crate::diagnostic::{Diagnostic, Report};
 use crate::edit::Edit;
@@ -42,7 +48,12 @@ use crate::scene;
 /// What is shown, and what the author has chosen.
 pub struct Panel {
     scene: PathBuf,
+    /// Those of its folder.
     scenes: Vec<PathBuf>,
+    /// Those that were open before, and lie elsewhere.
+    recent: Vec<PathBuf>,
+    /// What is remembered.
+    pub settings: Settings,
     adapter: String,
     tab: Tab,
     view: View,
@@ -53,6 +64,7 @@ pub struct Panel {
     mouse: [f32; 2],
     /// Whether lights, target and bounds are drawn over the picture.
     gizmos: bool,
+    magnifies: bool,
     focus: Focus,
     picking: Picking,
     /// What was asked of the painter last.
@@ -73,6 +85,8 @@ pub struct Panel {
     /// Mistakes, or warnings of a scene that is shown.
     report: Option<(Report, String)>,
     pub dialog: capture::Dialog,
+    palette: palette::Palette,
+    shows_sheet: bool,
     /// What could not be done, to be told once.
     notice: Option<String>,
 }
@@ -90,6 +104,7 @@ pub struct Reply {
     pub look: Look,
     pub orders: Vec<Order>,
     pub capture: Option<capture::Deed>,
+    pub quits: bool,
 }
 
 /// What is gathered while one frame is laid out.
@@ -99,13 +114,17 @@ struct Deeds {
     orders: Vec<Order>,
     undo: bool,
     redo: bool,
+    quits: bool,
 }
 
 impl Panel {
-    pub fn new(scene: &Path, adapter: String) -> Self {
+    pub fn new(scene: &Path, adapter: String, mut settings: Settings) -> Self {
+        settings.visit(scene);
         Self {
             scene: scene.to_owned(),
-            scenes: neighbours(scene),
+            scenes: scenes::neighbours(scene),
+            recent: scenes::elsewhere(&settings.recent, scene),
+            settings,
             adapter,
             tab: Tab::Scene,
             view: View::Color,
@@ -113,6 +132,7 @@ impl Panel {
             home: None,
             mouse: [0.0; 2],
             gizmos: false,
+            magnifies: false,
             focus: Focus::All,
             picking: Picking::default(),
             look: None,
@@ -127,17 +147,11 @@ impl Panel {
             listing: shader::Listing::default(),
             facts: vec![],
             report: None,
-            dialog: capture::Dialog::new(&scene.file_stem().unwrap_or_default().to_string_lossy()),
+            dialog: capture::Dialog::new(&scenes::stem(scene)),
+            palette: palette::Palette::default(),
+            shows_sheet: false,
             notice: None,
         }
-    }
-
-    /// Goes on with another scene.
-    pub fn open(&mut self, scene: &Path) -> Order {
-        let known = Self::new(scene, std::mem::take(&mut self.adapter));
-        let (view, gizmos, tab) = (self.view, self.gizmos, self.tab);
-        *self = Self { view, gizmos, tab, ..known };
-        Order::Open(scene.to_owned())
     }
 
     pub fn scene(&self) -> &Path {
@@ -193,15 +207,16 @@ impl Panel {
         self.report = Some((report, text));
     }
 
-    /// Lays everything out.
-    pub fn show(&mut self, ui: &mut Ui, has_picture: bool) -> Reply {
+    /// Lays everything out around `picture`.
+    pub fn show(&mut self, ui: &mut Ui, picture: Option<TextureId>) -> Reply {
         let mut deeds = Deeds::default();
         self.keys(ui, &mut deeds);
         egui::Panel::top("bar").show(ui, |ui| self.bar(ui, &mut deeds));
         if self.moves {
-            egui::Panel::bottom("clock").show(ui, |ui| self.clock_bar(ui));
+            egui::Panel::bottom("clock").show(ui, |ui| self.clock_bar(ui, &mut deeds));
         }
-        egui::Panel::right("panel").default_size(320.0).size_range(240.0..=640.0).show(ui, |ui| {
+        let side = egui::Panel::right("panel").default_size(self.settings.panel).size_range(settings::PANEL);
+        let side = side.show(ui, |ui| {
             // What is too long is cut, and does not move the picture.
             ui.set_max_width(ui.available_width());
             ui.add_space(4.0);
@@ -217,10 +232,13 @@ impl Panel {
                 Tab::Facts => facts::show(ui, &self.adapter, &self.facts),
             }
         });
-        let look = egui::CentralPanel::no_frame().show(ui, |ui| self.picture(ui, has_picture)).inner;
+        self.settings.panel = side.response.rect.width();
+        let look = egui::CentralPanel::no_frame().show(ui, |ui| self.picture(ui, picture)).inner;
         let capture = self.capture_dialog(ui);
+        self.palette(ui, &mut deeds);
+        self.sheet(ui);
         self.act(ui, &mut deeds);
-        Reply { look, orders: deeds.orders, capture }
+        Reply { look, orders: deeds.orders, capture, quits: deeds.quits }
     }
 
     /// Turns what was done into the scene's next text, and this into the file's once the hand rests.
@@ -261,16 +279,4 @@ impl Panel {
         let line = 1 + text.get(..place.span.start)?.matches('\n').count();
         Path::new(&place.file).exists().then(|| (place.file.clone(), line))
     }
-}
-
-/// The scenes in the folder of `scene`, sorted.
-fn neighbours(scene: &Path) -> Vec<PathBuf> {
-    let folder = scene.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut scenes: Vec<PathBuf> = entries
-        .map(|entry| scene.with_file_name(entry.file_name()))
-        .filter(|path| path.extension().is_some_and(|e| e == "ron"))
-        .collect();
-    scenes.sort();
-    scenes
 }

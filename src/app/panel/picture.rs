@@ -1,6 +1,6 @@
 //! The picture's place: the camera under the mouse, and what is said over the picture.
 
-use egui::{Color32, PointerButton, Sense, Ui};
+use egui::{Color32, PointerButton, Sense, TextureId, Ui};
 use glam::Vec2;
 
 use super::{Panel, mistakes};
@@ -8,9 +8,9 @@ use crate::app::camera;
 use crate::app::messages::Look;
 
 impl Panel {
-    pub(super) fn picture(&mut self, ui: &mut Ui, has_picture: bool) -> Look {
+    pub(super) fn picture(&mut self, ui: &mut Ui, picture: Option<TextureId>) -> Look {
         let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-        if !has_picture && self.report.is_none() {
+        if picture.is_none() && self.report.is_none() {
             let font = egui::FontId::proportional(16.0);
             ui.painter().text(area.center(), egui::Align2::CENTER_CENTER, "compiling…", font, Color32::GRAY);
         }
@@ -26,6 +26,7 @@ impl Panel {
             self.click([at.x.max(0.0) as u32, at.y.max(0.0) as u32]);
         }
         self.show_choice(ui, area);
+        self.magnify(ui, area, response.hover_pos(), picture);
         if let Some((report, text)) = self.report.take() {
             if let Some(problem) = mistakes::show(ui, area, &report, &text) {
                 self.open_place(&report, &problem);

@@ -2,25 +2,42 @@
 
 use egui::{Color32, CornerRadius, Stroke, Style, Theme, Visuals};
 
+use crate::app::settings;
+
 /// What is chosen, and what can be pressed.
 pub const ACCENT: Color32 = Color32::from_rgb(86, 140, 245);
 
-/// Gives `context` the two themes, and the one of the system.
-pub fn apply(context: &egui::Context) {
-    context.set_style_of(Theme::Dark, style(Visuals::dark(), 0));
-    context.set_style_of(Theme::Light, style(Visuals::light(), 255));
-    context.set_theme(Theme::Dark);
+/// Gives `context` the two themes, and shows one.
+pub fn apply(context: &egui::Context, theme: settings::Theme) {
+    context.set_style_of(Theme::Dark, style(Visuals::dark()));
+    context.set_style_of(Theme::Light, style(Visuals::light()));
+    choose(context, theme);
 }
 
-/// `ink` is the background's grey, 0 or 255.
-fn style(mut visuals: Visuals, ink: u8) -> Style {
-    let shade = |amount: u8| Color32::from_gray(ink.abs_diff(amount));
-    visuals.panel_fill = shade(24);
-    visuals.window_fill = shade(30);
-    visuals.faint_bg_color = shade(38);
-    visuals.extreme_bg_color = shade(14);
-    visuals.selection.bg_fill = ACCENT.gamma_multiply(0.45);
-    visuals.selection.stroke = Stroke::new(1.0, if ink == 0 { Color32::WHITE } else { Color32::BLACK });
+pub fn choose(context: &egui::Context, theme: settings::Theme) {
+    context.set_theme(match theme {
+        settings::Theme::Dark => Theme::Dark,
+        settings::Theme::Light => Theme::Light,
+    });
+}
+
+fn style(mut visuals: Visuals) -> Style {
+    let is_dark = visuals.dark_mode;
+    let shade = |dark: u8, light: u8| Color32::from_gray(if is_dark { dark } else { light });
+    visuals.panel_fill = shade(24, 246);
+    visuals.window_fill = shade(30, 252);
+    visuals.faint_bg_color = shade(38, 234);
+    visuals.extreme_bg_color = shade(14, 255);
+    visuals.window_stroke = Stroke::new(1.0, shade(54, 205));
+    visuals.selection.bg_fill = ACCENT.gamma_multiply(if is_dark { 0.45 } else { 0.3 });
+    visuals.selection.stroke = Stroke::new(1.0, shade(255, 0));
+    let [warning, error] = if is_dark {
+        [Color32::from_rgb(245, 190, 80), Color32::from_rgb(255, 110, 100)]
+    } else {
+        [Color32::from_rgb(150, 95, 0), Color32::from_rgb(190, 40, 30)]
+    };
+    visuals.warn_fg_color = warning;
+    visuals.error_fg_color = error;
     visuals.slider_trailing_fill = true;
     visuals.window_corner_radius = CornerRadius::same(8);
     visuals.menu_corner_radius = CornerRadius::same(6);
@@ -29,11 +46,11 @@ fn style(mut visuals: Visuals, ink: u8) -> Style {
         widget.corner_radius = CornerRadius::same(5);
         widget.bg_stroke = Stroke::NONE;
     }
-    widgets.inactive.bg_fill = shade(48);
-    widgets.inactive.weak_bg_fill = shade(42);
-    widgets.hovered.bg_fill = shade(62);
-    widgets.hovered.weak_bg_fill = shade(56);
-    widgets.noninteractive.bg_stroke = Stroke::new(1.0, shade(44));
+    widgets.inactive.bg_fill = shade(48, 218);
+    widgets.inactive.weak_bg_fill = shade(42, 228);
+    widgets.hovered.bg_fill = shade(62, 205);
+    widgets.hovered.weak_bg_fill = shade(56, 216);
+    widgets.noninteractive.bg_stroke = Stroke::new(1.0, shade(44, 220));
     let mut style = Style { visuals, ..Style::default() };
     style.spacing.item_spacing = egui::vec2(6.0, 4.0);
     style.spacing.button_padding = egui::vec2(7.0, 2.0);

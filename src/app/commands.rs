@@ -1,0 +1,203 @@
+//! All that a person can tell the window to do: the table from which keys, tooltips and the rest are made.
+//!
+//! In: nothing. Out: [`COMMANDS`], and [`GESTURES`] for the hand on the mouse.
+
+use egui::{Key, KeyboardShortcut, Modifiers};
+
+/// Something that the window can be told to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Command {
+    NewScene,
+    NewTexture,
+    Undo,
+    Redo,
+    OnlyTry,
+    Home,
+    KeepView,
+    ChooseNothing,
+    OnlyThis,
+    Gizmos,
+    NextView,
+    PreviousView,
+    Magnifier,
+    SavePicture,
+    Pause,
+    StepBack,
+    StepForward,
+    Rewind,
+    Palette,
+    CheatSheet,
+    Theme,
+    Quit,
+}
+
+/// What people are told of a command, and how they give it.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    pub command: Command,
+    /// What it is about.
+    pub group: &'static str,
+    pub name: &'static str,
+    /// The first is the one that tooltips tell.
+    pub keys: &'static [KeyboardShortcut],
+    pub does: &'static str,
+}
+
+/// Every command once, group by group.
+pub const COMMANDS: [Entry; 22] = [
+    entry(
+        Command::NewScene,
+        "Scene",
+        "New scene",
+        &[command(Key::N)],
+        "write a small scene beside this one and open it",
+    ),
+    entry(
+        Command::NewTexture,
+        "Scene",
+        "New texture",
+        &[command_shift(Key::N)],
+        "write a texture of your own and open it in your editor",
+    ),
+    entry(Command::Undo, "Scene", "Undo", &[command(Key::Z)], "take the last change back"),
+    entry(
+        Command::Redo,
+        "Scene",
+        "Redo",
+        &[command_shift(Key::Z), command(Key::Y)],
+        "make the change again that was taken back",
+    ),
+    entry(
+        Command::OnlyTry,
+        "Scene",
+        "Only try",
+        &[plain(Key::T)],
+        "show changes, and save them when this is switched off",
+    ),
+    entry(
+        Command::Home,
+        "Camera",
+        "Home",
+        &[plain(Key::Home), plain(Key::H)],
+        "go back to the scene's camera",
+    ),
+    entry(Command::KeepView, "Camera", "Keep view", &[plain(Key::K)], "write this camera into the scene"),
+    entry(
+        Command::ChooseNothing,
+        "Picture",
+        "Choose nothing",
+        &[plain(Key::Escape)],
+        "let go of what is chosen",
+    ),
+    entry(
+        Command::OnlyThis,
+        "Picture",
+        "Only this",
+        &[plain(Key::F)],
+        "show only the chosen object, or the chosen material on a stage",
+    ),
+    entry(
+        Command::Gizmos,
+        "Picture",
+        "Gizmos",
+        &[plain(Key::G)],
+        "show lights, the camera's target and bounds",
+    ),
+    entry(
+        Command::NextView,
+        "Picture",
+        "Next view",
+        &[plain(Key::V)],
+        "show normals, depth and so on, one after another",
+    ),
+    entry(Command::PreviousView, "Picture", "Previous view", &[shift(Key::V)], "the same, backwards"),
+    entry(
+        Command::Magnifier,
+        "Picture",
+        "Magnifier",
+        &[plain(Key::Z)],
+        "show the pixels around the pointer eight times as large",
+    ),
+    entry(
+        Command::SavePicture,
+        "Picture",
+        "Save picture",
+        &[command(Key::E)],
+        "as PNG or EXR of any size, or as a movie",
+    ),
+    entry(Command::Pause, "Time", "Pause", &[plain(Key::Space)], "stop the clock, or let it go on"),
+    entry(
+        Command::StepBack,
+        "Time",
+        "Step back",
+        &[plain(Key::Comma)],
+        "one frame of a sixtieth of a second",
+    ),
+    entry(
+        Command::StepForward,
+        "Time",
+        "Step forward",
+        &[plain(Key::Period)],
+        "one frame of a sixtieth of a second",
+    ),
+    entry(Command::Rewind, "Time", "Rewind", &[plain(Key::Num0)], "go back to the beginning"),
+    entry(
+        Command::Palette,
+        "Window",
+        "Find a command",
+        &[command(Key::P)],
+        "type a part of its name, of a view's or of a scene's",
+    ),
+    entry(
+        Command::CheatSheet,
+        "Window",
+        "Cheat sheet",
+        &[plain(Key::F1), plain(Key::Questionmark)],
+        "show all keys",
+    ),
+    entry(Command::Theme, "Window", "Light or dark", &[plain(Key::L)], "change the colors of the window"),
+    entry(Command::Quit, "Window", "Quit", &[command(Key::Q)], "close the window"),
+];
+
+/// What the mouse does, and how.
+pub const GESTURES: [(&str, &str); 6] = [
+    ("Turn the camera", "drag"),
+    ("Move it", "right drag, Shift drag"),
+    ("Bring it nearer", "wheel"),
+    ("Choose an object", "click"),
+    ("Duplicate, remove", "right click in the tree"),
+    ("Open a scene", "drop its file"),
+];
+
+impl Command {
+    /// What people are told of it.
+    pub fn entry(self) -> &'static Entry {
+        COMMANDS.iter().find(|entry| entry.command == self).expect("all are there")
+    }
+}
+
+const fn entry(
+    command: Command,
+    group: &'static str,
+    name: &'static str,
+    keys: &'static [KeyboardShortcut],
+    does: &'static str,
+) -> Entry {
+    Entry { command, group, name, keys, does }
+}
+
+const fn plain(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::NONE, key)
+}
+
+const fn shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::SHIFT, key)
+}
+
+const fn command(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND, key)
+}
+
+const fn command_shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
+}

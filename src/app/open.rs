@@ -1,0 +1,116 @@
+//! What exists while the window does, and a frame of it.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use winit::window::Window;
+
+use super::engine::Engine;
+use super::events::Event;
+use super::messages::{Look, Picture, Wish};
+use super::panel::{CaptureDeed, Panel};
+use super::settings::Memory;
+
+/// What exists while the window does.
+pub struct Open {
+    pub window: Arc<Window>,
+    pub engine: Engine,
+    /// How many devices were lost before this one.
+    pub restarts: u32,
+    /// How many since a picture was there.
+    pub vain: u32,
+    pub panel: Panel,
+    pub memory: Memory,
+    pub quits: bool,
+    pub look: Option<Look>,
+    /// A picture that was set and not presented yet.
+    pub fresh: Option<Event>,
+    pub noticed: Option<Instant>,
+    pub last_edit: Option<u64>,
+    pub wake: Option<Instant>,
+}
+
+impl Open {
+    pub fn new(window: Arc<Window>, engine: Engine, restarts: u32, panel: Panel, memory: Memory) -> Self {
+        let (look, fresh, noticed, last_edit, wake) = (None, None, None, None, None);
+        Self {
+            window,
+            engine,
+            restarts,
+            vain: 0,
+            panel,
+            memory,
+            quits: false,
+            look,
+            fresh,
+            noticed,
+            last_edit,
+            wake,
+        }
+    }
+
+    pub fn take(&mut self, picture: Picture) {
+        self.vain = 0;
+        let is_new_edit = self.last_edit != Some(picture.edit);
+        self.last_edit = Some(picture.edit);
+        self.panel.take(&picture, is_new_edit);
+        self.noticed = Some(picture.noticed);
+        self.fresh = Some(Event::Presented {
+            edit: picture.edit,
+            change: picture.change,
+            samples: picture.samples,
+            resolution: picture.resolution,
+            pipelines: picture.pipelines,
+            since_change_ms: 0.0,
+            blocked_ms: 0.0,
+        });
+        self.window.set_title(&format!("{} - raytoy", picture.compiled.scene.name));
+        self.engine.screen.set_picture(picture.texels);
+    }
+
+    /// A scene that is let go over the window takes the place of the one there.
+    pub fn drop_file(&mut self, file: PathBuf) {
+        if file.extension().is_some_and(|ending| ending == "ron") {
+            let _ = self.engine.builder.send(self.panel.open(&file));
+            self.window.request_redraw();
+        }
+    }
+
+    /// Lays out and presents; whether the screen shows it.
+    pub fn draw(&mut self) -> bool {
+        let input = self.engine.input.take_egui_input(&self.window);
+        let picture = self.engine.screen.picture_id();
+        let mut reply = None;
+        let mut output = self.engine.context.run_ui(input, |ui| reply = Some(self.panel.show(ui, picture)));
+        if let Some(reply) = reply {
+            match reply.capture {
+                Some(CaptureDeed::Take(order)) => self.engine.album.take(*order),
+                Some(CaptureDeed::Stop) => self.engine.album.stop(),
+                None => {}
+            }
+            for order in reply.orders {
+                let _ = self.engine.builder.send(order);
+            }
+            self.quits |= reply.quits;
+            if self.look != Some(reply.look) {
+                self.look = Some(reply.look);
+                let _ = self.engine.painter.send(Wish::Look(reply.look));
+            }
+        }
+        // What a hand still drags is not worth a file yet.
+        if !self.engine.context.input(|input| input.pointer.any_down()) {
+            self.memory.keep(&self.panel.settings);
+        }
+        let delays = output.viewport_output.values().map(|viewport| viewport.repaint_delay);
+        let delay = delays.min().unwrap_or(Duration::MAX);
+        self.wake = Instant::now().checked_add(delay).filter(|_| delay < Duration::from_secs(3600));
+        self.engine.input.handle_platform_output(&self.window, std::mem::take(&mut output.platform_output));
+        let place = self.look.map_or(([0; 2], 1), |look| (look.corner, look.size[0]));
+        let Engine { screen, context, .. } = &mut self.engine;
+        // egui's renderer panics where the device is lost, which is about to be told.
+        catch_unwind(AssertUnwindSafe(|| screen.present(place, context, output, &self.window)))
+            .unwrap_or(false)
+    }
+}

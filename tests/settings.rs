@@ -1,0 +1,94 @@
+//! What the window remembers: what is written is read, and whatever else is in the file does no harm.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use raytoy::app::{Settings, Theme, folder};
+use tempfile::TempDir;
+
+/// The settings read from a file that says `text`.
+fn read(text: impl AsRef<[u8]>) -> Settings {
+    let home = TempDir::new().expect("there is room for a folder");
+    fs::write(home.path().join("window.json"), text).expect("the folder is writable");
+    Settings::read(home.path())
+}
+
+#[test]
+fn what_is_written_is_read_again() {
+    let home = TempDir::new().expect("there is room for a folder");
+    let place = home.path().join("a/b");
+    let mut settings = Settings { size: [900, 700], panel: 411.5, theme: Theme::Light, recent: vec![] };
+    settings.visit(&home.path().join("scene \"1\".ron"));
+    settings.write(&place).expect("the folder is made");
+    assert_eq!(Settings::read(&place), settings);
+    settings.theme = Theme::Dark;
+    settings.write(&place).expect("the folder is writable");
+    assert_eq!(Settings::read(&place), settings);
+    let files = fs::read_dir(&place).expect("it is there").flatten().map(|entry| entry.file_name());
+    assert_eq!(files.collect::<Vec<_>>(), ["window.json"], "nothing lies beside it");
+}
+
+#[test]
+fn a_file_that_is_missing_or_damaged_counts_as_none() {
+    assert_eq!(Settings::read(Path::new("/there is no such folder")), Settings::default());
+    for damaged in
+        ["", "{", "[]", "null", "{\"size\": \"big\"}", "{\"theme\": \"pink\"}", "{\"panel\": 1e999}"]
+    {
+        assert_eq!(read(damaged), Settings::default(), "{damaged}");
+    }
+    assert_eq!(read([0xff, 0xfe, 0x00]), Settings::default());
+}
+
+#[test]
+fn what_a_file_does_not_say_is_the_default_and_what_it_says_more_is_ignored() {
+    let settings = read("{\"theme\": \"light\", \"mood\": \"good\"}");
+    assert_eq!(settings, Settings { theme: Theme::Light, ..Settings::default() });
+}
+
+#[test]
+fn a_window_is_never_too_small_to_find_or_too_large_to_open() {
+    assert_eq!(read("{\"size\": [0, 4000000000]}").size, [200, 16384]);
+    assert_eq!(read("{\"panel\": -5}").panel, 240.0);
+    assert_eq!(read("{\"panel\": 1e30}").panel, 640.0);
+}
+
+#[test]
+fn the_last_twelve_scenes_are_remembered_once_each_the_last_one_first() {
+    let mut settings = Settings::default();
+    for i in 0..20 {
+        settings.visit(Path::new(&format!("/scenes/{i}.ron")));
+    }
+    settings.visit(Path::new("/scenes/10.ron"));
+    let wanted =
+        [10, 19, 18, 17, 16, 15, 14, 13, 12, 11, 9, 8].map(|i| PathBuf::from(format!("/scenes/{i}.ron")));
+    assert_eq!(settings.recent, wanted);
+    settings.visit(Path::new("near.ron"));
+    assert_eq!(settings.recent[0], std::env::current_dir().expect("it is there").join("near.ron"));
+}
+
+#[test]
+fn a_program_that_drives_the_window_has_no_settings_unless_it_says_where() {
+    let place = |is_driven, config: Option<&str>| {
+        let variables = [("RAYTOY_CONFIG", config), ("HOME", Some("/h")), ("APPDATA", Some("C:\\a"))];
+        let value = |name: &str| variables.iter().find(|(known, _)| *known == name)?.1.map(OsString::from);
+        folder(is_driven, value)
+    };
+    assert_eq!(place(true, None), None);
+    assert_eq!(place(true, Some("here")), Some("here".into()));
+    assert_eq!(place(false, Some("")), None);
+    assert!(place(false, None).is_some_and(|folder| folder.ends_with("raytoy")));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn on_linux_they_lie_where_xdg_says() {
+    let place = |xdg: Option<&str>| {
+        let variables = [("XDG_CONFIG_HOME", xdg), ("HOME", Some("/h"))];
+        let value = |name: &str| variables.iter().find(|(known, _)| *known == name)?.1.map(OsString::from);
+        folder(false, value)
+    };
+    assert_eq!(place(Some("/x")), Some("/x/raytoy".into()));
+    assert_eq!(place(Some("relative")), Some("/h/.config/raytoy".into()), "a relative one is to be ignored");
+    assert_eq!(place(None), Some("/h/.config/raytoy".into()));
+}
