@@ -48,13 +48,14 @@ impl Panel {
     }
 }
 
-/// The scenes in the folder of `scene`, sorted.
+/// The scenes in the folder of `scene`, sorted; settings of tests are none.
 pub fn neighbours(scene: &Path) -> Vec<PathBuf> {
     let folder = scene.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let mut scenes: Vec<PathBuf> = entries
         .map(|entry| scene.with_file_name(entry.file_name()))
         .filter(|path| path.extension().is_some_and(|e| e == "ron"))
+        .filter(|path| !path.to_string_lossy().ends_with(".test.ron"))
         .collect();
     scenes.sort();
     scenes
