@@ -2,10 +2,10 @@
 
 mod common;
 
-use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::ops::Deref;
+use std::process::Output;
 
-use tempfile::TempDir;
+use common::folder::{Folder, stdout as said};
 
 const BALL: &str = "// A ball on a floor.
 (
@@ -26,7 +26,7 @@ fn pond(at: Surface, scale: f32) -> f32 {
 ";
 
 /// A folder with a scene, and a texture that it uses.
-struct Project(TempDir);
+struct Project(Folder);
 
 #[test]
 fn from_nothing_to_green_takes_one_bless() {
@@ -58,7 +58,7 @@ fn from_nothing_to_green_takes_one_bless() {
     assert!(said(&project.test(&["--bless"])).ends_with("2 passed, 0 failed\n"));
     assert!(!said(&project.test(&["--bless"])).contains("wrote"), "what is right is not written again");
     // From another folder the first line of the text is another, and that is no difference.
-    let inside = project.command(&["test"]).current_dir(project.0.path().join("scenes")).output().unwrap();
+    let inside = project.command(&["test"]).current_dir(project.path().join("scenes")).output().unwrap();
     assert_eq!(said(&inside), "ok       ball.ron\nok       textures/pond.wgsl\n2 passed, 0 failed\n");
 }
 
@@ -235,12 +235,12 @@ fn goldens_may_lie_elsewhere_and_for_another_adapter() {
         "FAILED   scenes/textures/demo.ron\n    a golden in this folder would be taken for one of its files\n      \
          move the scene out of it, or keep its goldens elsewhere: `--goldens FOLDER`\n0 passed, 1 failed\n"
     );
-    std::fs::remove_file(project.0.path().join("scenes/textures/demo.ron")).unwrap();
+    std::fs::remove_file(project.path().join("scenes/textures/demo.ron")).unwrap();
     assert!(said(&project.test(&["--goldens", "kept"])).ends_with("2 passed, 0 failed\n"));
     // One that is asked for by name takes its own pictures, where there are such.
     let named = ["scenes/ball.ron", "--goldens", "kept", "--adapter", "llvmpipe"];
     let Some(0) = project.test(&named).status.code() else { return };
-    std::fs::write(project.0.path().join("kept/scenes/ball.llvmpipe.png"), b"no picture").unwrap();
+    std::fs::write(project.path().join("kept/scenes/ball.llvmpipe.png"), b"no picture").unwrap();
     let told = said(&project.test(&named));
     assert!(told.contains("cannot read `kept/scenes/ball.llvmpipe.png`"), "{told}");
     assert!(said(&project.test(&["--goldens", "kept"])).ends_with("2 passed, 0 failed\n"));
@@ -282,8 +282,8 @@ fn lists_filters_and_wrong_calls() {
         refused(&["."]),
         "raytoy: `other/bal.test.ron` has the settings of a test, but there is no `other/bal.ron`\n"
     );
-    std::fs::remove_dir_all(project.0.path().join("other")).unwrap();
-    std::fs::create_dir(project.0.path().join("empty")).unwrap();
+    std::fs::remove_dir_all(project.path().join("other")).unwrap();
+    std::fs::create_dir(project.path().join("empty")).unwrap();
     assert_eq!(refused(&["empty"]), "raytoy: there is nothing to test: no scene, no texture, no shape\n");
     refused(&["--format", "yaml"]);
     refused(&["--jobs", "0"]);
@@ -342,7 +342,7 @@ impl Project {
     /// None where there is no software driver.
     fn new() -> Option<Self> {
         common::gpu()?;
-        let project = Self(tempfile::tempdir().expect("a temporary folder"));
+        let project = Self(Folder::new());
         project.write("scenes/ball.ron", BALL);
         project.write("scenes/textures/pond.wgsl", POND);
         Some(project)
@@ -355,31 +355,19 @@ impl Project {
         Some(project)
     }
 
-    fn write(&self, name: &str, text: &str) {
-        let path = self.0.path().join(name);
-        std::fs::create_dir_all(path.parent().expect("it is in a folder")).expect("it is writable");
-        std::fs::write(path, text).expect("it is writable");
-    }
-
-    fn read(&self, name: &str) -> String {
-        std::fs::read_to_string(self.0.path().join(name)).expect("it is there")
-    }
-
     fn has(&self, name: &str) -> bool {
-        Path::new(self.0.path()).join(name).exists()
-    }
-
-    fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_raytoy"));
-        command.current_dir(self.0.path()).args(arguments).stdin(Stdio::null());
-        command
+        self.path().join(name).exists()
     }
 
     fn test(&self, arguments: &[&str]) -> Output {
-        self.command(&[&["test"], arguments].concat()).output().expect("raytoy runs")
+        self.run(&[&["test"], arguments].concat())
     }
 }
 
-fn said(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
+impl Deref for Project {
+    type Target = Folder;
+
+    fn deref(&self) -> &Folder {
+        &self.0
+    }
 }

@@ -183,7 +183,7 @@ impl Writer<'_> {
         };
         let (doc, own) = match FORMS.iter().find(|form| form.name == name) {
             Some(form) => (form.doc.to_owned(), self.table(form.fields, value, path)),
-            None => match self.library.find(Family::Texture, name) {
+            None => match self.lookup.find(Family::Texture, name) {
                 Ok(function) => {
                     let slots = function.parameters.iter().map(|p| Slot::of_parameter(p, true));
                     let own = slots.map(|slot| self.member(&slot, value, path)).collect();

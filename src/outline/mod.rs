@@ -173,14 +173,15 @@ pub enum ColorStyle {
 /// outline: give it a library of its own.
 pub fn outline(root: &Value, text: &str, library: &Library<'_>) -> Outline {
     let names = Names::new(root, library);
-    let nodes = Writer { text, library, names: &names }.scene(root);
+    let nodes = Writer { text, lookup: library, names: &names }.scene(root);
     Outline { nodes, names }
 }
 
 /// What all parts of the outline are made with.
 struct Writer<'a> {
     text: &'a str,
-    library: &'a Library<'a>,
+    /// What a scene may name.
+    lookup: &'a Library<'a>,
     names: &'a Names,
 }
 

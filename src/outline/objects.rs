@@ -44,7 +44,7 @@ impl Writer<'_> {
             None => {
                 node.object = Some(*shapes);
                 *shapes += 1;
-                if let Ok(function) = self.library.find(Family::Shape, shape) {
+                if let Ok(function) = self.lookup.find(Family::Shape, shape) {
                     node.doc = function.caption.clone();
                     let varies = function.traits.is_distance;
                     let slots = function.parameters.iter().map(|p| Slot::of_parameter(p, varies));

@@ -2,6 +2,8 @@
 // Each binary uses a part of it.
 #![allow(dead_code)]
 
+pub mod folder;
+
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
