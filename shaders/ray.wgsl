@@ -28,27 +28,8 @@ struct Surface {
     footprint: f32,
 }
 
-/// Where a ray meets the scene, and which object.
-struct Hit {
-    t: f32,
-    object: u32,
-}
-
-/// No object: the ray leaves the scene.
-const NO_OBJECT: u32 = 0xffffffffu;
-
 /// What the pixel's rays have cost so far: tests of shapes, boxes and triangles of models, steps of marches.
 var<private> work: u32;
-
-/// The nearer of `hit` and a crossing of `object` at `t`. Where two surfaces coincide, the first object of
-/// the scene has it: rounding must not speckle them.
-fn nearer(hit: Hit, t: f32, object: u32) -> Hit {
-    work++;
-    if t < hit.t * 0.999996 {
-        return Hit(t, object);
-    }
-    return hit;
-}
 
 /// The surface at `position`, before anything is known of the world and the pixel.
 fn surface(position: vec3f, normal: vec3f, uv: vec2f) -> Surface {

@@ -3,9 +3,6 @@
 /// The most times that a ray goes into or out of the parts of one solid.
 const MOST_CROSSINGS: u32 = 64u;
 
-/// Crossings closer than this share of t are one: else a hole that ends in a face leaves a film on it.
-const SAME_CROSSING: f32 = 4e-6;
-
 /// Where a ray goes through a surface.
 struct Crossing {
     t: f32,
@@ -33,9 +30,9 @@ fn pointAt(ray: Ray, t: f32) -> vec3f {
     return ray.origin + select(0.0, t, t < NO_HIT) * ray.direction;
 }
 
-/// Up to where crossings are the same as the one at `t`.
-fn sameUpTo(t: f32) -> f32 {
-    return t + abs(t) * SAME_CROSSING;
+/// Up to where crossings are the same as the one at `t`: else a hole that ends in a face leaves a film on it.
+fn sameUpTo(ray: Ray, t: f32) -> f32 {
+    return t + abs(t) * SAME_PLACE + slackOf(ray);
 }
 
 fn nearerCrossing(hit: Hit, crossing: Crossing) -> Hit {

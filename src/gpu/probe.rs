@@ -144,7 +144,7 @@ impl Probe {
     }
 }
 
-/// `NO_OBJECT` of shaders/ray.wgsl.
+/// `NO_OBJECT` of shaders/hit.wgsl.
 const NO_OBJECT: u32 = u32::MAX;
 
 /// `ProbePoint` of shaders/probe.wgsl.

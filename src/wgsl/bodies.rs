@@ -42,7 +42,7 @@ const CLOSEST: Question = Question {
     end: "    return hit;",
     part_head: |i| format!("fn rayTracePart{i}(ray: Ray, before: Hit) -> Hit {{"),
     part_call: |i| format!("    hit = rayTracePart{i}(ray, hit);"),
-    before: &["    var hit = Hit(ray.t_max, NO_OBJECT);"],
+    before: &["    var hit = noHit(ray);"],
     part_before: &["    var hit = before;"],
     ask: |lines, indent, body| lines.statement(indent, "hit = ", &body.step, ";"),
 };

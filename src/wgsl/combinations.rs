@@ -65,7 +65,7 @@ impl Writer<'_> {
         let nearest = nearest.reduce(|a, b| Code::call("min", [a, b])).expect("a combination has parts");
         lines.statement(8, "let t = ", &nearest, ";");
         lines.push("        if t >= NO_HIT { break; }");
-        lines.push("        rest.t_min = sameUpTo(t);");
+        lines.push("        rest.t_min = sameUpTo(rest, t);");
         (0..spaces.len()).for_each(|i| lines.push(format!("        moved{i}.t_min = rest.t_min;")));
         for part in &parts {
             lines.push(format!("        let {} = {}.t <= rest.t_min;", part.turns, part.name));

@@ -23,6 +23,7 @@ struct Ray {
 struct Hit {
     float t;
     uint object;
+    float slack;
 };
 struct Surface {
     vec3 position;
@@ -100,6 +101,7 @@ const uint LIGHTS = 1u;
 const bool TRANSMITS = false;
 const bool TEXTURED = true;
 const uint NO_OBJECT = 4294967295u;
+const float SAME_PLACE = 4e-6;
 const float NO_HIT = 1e30;
 const float NO_FRESNEL = -1.0;
 const mat3x3 OCTAVE_TURN = mat3x3(vec3(0.48, 0.8, -0.36), vec3(-0.64, 0.6, 0.48), vec3(0.6, 0.0, 0.8));
@@ -118,19 +120,31 @@ uint zero = 0u;
 
 uint seed = 0u;
 
+float slackOf(Ray ray) {
+    vec3 origin_3 = abs(ray.origin);
+    vec3 direction_5 = abs(ray.direction);
+    float size = max(max(origin_3.x, origin_3.y), origin_3.z);
+    return ((SAME_PLACE * size) / max(max(direction_5.x, direction_5.y), direction_5.z));
+}
+
+Hit noHit(Ray ray_1) {
+    float _e3 = slackOf(ray_1);
+    return Hit(ray_1.t_max, NO_OBJECT, _e3);
+}
+
 Hit nearer(Hit hit, float t, uint object) {
     uint _e5 = work;
     work = (_e5 + 1u);
-    if ((t < (hit.t * 0.999996))) {
-        return Hit(t, object);
+    if ((t < ((hit.t * 0.999996) - hit.slack))) {
+        return Hit(t, object, hit.slack);
     }
     return hit;
 }
 
-float onRay(Ray ray, float t_1) {
+float onRay(Ray ray_2, float t_1) {
     bool local = false;
-    if ((t_1 > ray.t_min)) {
-        local = (t_1 < ray.t_max);
+    if ((t_1 > ray_2.t_min)) {
+        local = (t_1 < ray_2.t_max);
     } else {
         local = false;
     }
@@ -138,57 +152,58 @@ float onRay(Ray ray, float t_1) {
     return (_e10 ? t_1 : NO_HIT);
 }
 
-float plane(Ray ray_1, vec3 normal, float offset) {
-    float approach = dot(normal, ray_1.direction);
+float plane(Ray ray_3, vec3 normal, float offset) {
+    float approach = dot(normal, ray_3.direction);
     if ((abs(approach) < 1e-20)) {
         return NO_HIT;
     }
-    float _e13 = onRay(ray_1, ((offset - dot(normal, ray_1.origin)) / approach));
+    float _e13 = onRay(ray_3, ((offset - dot(normal, ray_3.origin)) / approach));
     return _e13;
 }
 
-float nearestApproach(Ray ray_2, vec3 center) {
-    return (dot((center - ray_2.origin), ray_2.direction) * (1.0 / dot(ray_2.direction, ray_2.direction)));
+float nearestApproach(Ray ray_4, vec3 center) {
+    return (dot((center - ray_4.origin), ray_4.direction) * (1.0 / dot(ray_4.direction, ray_4.direction)));
 }
 
-float firstOnRay(Ray ray_3, float near, float far) {
-    float _e6 = onRay(ray_3, ((near > ray_3.t_min) ? near : far));
+float firstOnRay(Ray ray_5, float near, float far) {
+    float _e6 = onRay(ray_5, ((near > ray_5.t_min) ? near : far));
     return _e6;
 }
 
-float sphere(Ray ray_4, vec3 center_1, float radius) {
-    float _e3 = nearestApproach(ray_4, center_1);
-    vec3 nearest = ((ray_4.origin - center_1) + (_e3 * ray_4.direction));
+float sphere(Ray ray_6, vec3 center_1, float radius) {
+    float _e3 = nearestApproach(ray_6, center_1);
+    vec3 nearest = ((ray_6.origin - center_1) + (_e3 * ray_6.direction));
     float inside = ((radius * radius) - dot(nearest, nearest));
     if ((inside < 0.0)) {
         return NO_HIT;
     }
-    float reach = sqrt((inside / dot(ray_4.direction, ray_4.direction)));
-    float _e22 = firstOnRay(ray_4, (_e3 - reach), (_e3 + reach));
+    float reach = sqrt((inside / dot(ray_6.direction, ray_6.direction)));
+    float _e22 = firstOnRay(ray_6, (_e3 - reach), (_e3 + reach));
     return _e22;
 }
 
-Hit rayTraceScene(Ray ray_5) {
-    Hit hit_1 = Hit(0.0, 0u);
-    hit_1 = Hit(ray_5.t_max, NO_OBJECT);
-    Hit _e5 = hit_1;
-    float _e11 = plane(ray_5, vec3(0.0, 1.0, 0.0), 0.0);
-    Hit _e13 = nearer(_e5, _e11, OBJECT_FLOOR);
-    hit_1 = _e13;
-    Hit _e14 = hit_1;
-    float _e20 = sphere(ray_5, vec3(0.0, 1.0, 0.0), 1.0);
-    Hit _e22 = nearer(_e14, _e20, OBJECT_BALL);
-    hit_1 = _e22;
-    Hit _e23 = hit_1;
-    return _e23;
+Hit rayTraceScene(Ray ray_7) {
+    Hit hit_1 = Hit(0.0, 0u, 0.0);
+    Hit _e1 = noHit(ray_7);
+    hit_1 = _e1;
+    Hit _e3 = hit_1;
+    float _e9 = plane(ray_7, vec3(0.0, 1.0, 0.0), 0.0);
+    Hit _e11 = nearer(_e3, _e9, OBJECT_FLOOR);
+    hit_1 = _e11;
+    Hit _e12 = hit_1;
+    float _e18 = sphere(ray_7, vec3(0.0, 1.0, 0.0), 1.0);
+    Hit _e20 = nearer(_e12, _e18, OBJECT_BALL);
+    hit_1 = _e20;
+    Hit _e21 = hit_1;
+    return _e21;
 }
 
-bool sceneBlocks(Ray ray_6) {
-    float _e6 = plane(ray_6, vec3(0.0, 1.0, 0.0), 0.0);
+bool sceneBlocks(Ray ray_8) {
+    float _e6 = plane(ray_8, vec3(0.0, 1.0, 0.0), 0.0);
     if ((_e6 < NO_HIT)) {
         return true;
     }
-    float _e15 = sphere(ray_6, vec3(0.0, 1.0, 0.0), 1.0);
+    float _e15 = sphere(ray_8, vec3(0.0, 1.0, 0.0), 1.0);
     if ((_e15 < NO_HIT)) {
         return true;
     }
@@ -221,9 +236,9 @@ mat2x3 flatTangents(vec3 n) {
 }
 
 Surface planeSurface(vec3 p, vec3 normal_2, float offset_1) {
-    float size = length(normal_2);
-    vec3 n_4 = (normal_2 / vec3(size));
-    vec3 snapped = (p - ((dot(n_4, p) - (offset_1 / size)) * n_4));
+    float size_1 = length(normal_2);
+    vec3 n_4 = (normal_2 / vec3(size_1));
+    vec3 snapped = (p - ((dot(n_4, p) - (offset_1 / size_1)) * n_4));
     mat2x3 _e11 = flatTangents(n_4);
     Surface _e13 = surface(snapped, n_4, (snapped * _e11));
     return _e13;
@@ -466,8 +481,8 @@ Looked looked(uint object_4, vec3 p_5, vec3 direction_2, float width_1) {
 }
 
 vec3 spawnPoint(vec3 p_6, vec3 normal_3, float t_2) {
-    float size_1 = max(max(abs(p_6.x), abs(p_6.y)), max(abs(p_6.z), t_2));
-    return (p_6 + ((SPAWN_ERROR * size_1) * normal_3));
+    float size_2 = max(max(abs(p_6.x), abs(p_6.y)), max(abs(p_6.z), t_2));
+    return (p_6 + ((SPAWN_ERROR * size_2) * normal_3));
 }
 
 mat3x3 frameAround(vec3 axis) {
@@ -522,9 +537,9 @@ float visibleShare(Light light_2, vec3 origin) {
             uint _e89 = i_1;
             vec2 square = ((2.0 * fract((turn + (float(_e89) * vec2(0.7548777, 0.5698403))))) - vec2(1.0));
             vec2 on = (round_ ? disk : square);
-            Ray ray_7 = Ray(origin, 0.0, ((light_2.to + (on.x * u_1)) + (on.y * v_3)), light_2.reach);
+            Ray ray_9 = Ray(origin, 0.0, ((light_2.to + (on.x * u_1)) + (on.y * v_3)), light_2.reach);
             float _e113 = open;
-            bool _e114 = sceneBlocks(ray_7);
+            bool _e114 = sceneBlocks(ray_9);
             open = (_e113 + (_e114 ? 0.0 : 1.0));
         }
     }
@@ -785,7 +800,7 @@ Seen seenAt(vec2 pixel) {
     vec3 _e28 = frame.forward;
     vec3 _e32 = frame.right;
     vec3 _e38 = frame.up;
-    vec3 direction_5 = normalize(((_e28 + (place_1.x * _e32)) + (place_1.y * _e38)));
+    vec3 direction_6 = normalize(((_e28 + (place_1.x * _e32)) + (place_1.y * _e38)));
     uvec2 at_7 = uvec2(pixel);
     uint _e48 = frame.sample_;
     uint _e49 = hashed(_e48);
@@ -793,7 +808,7 @@ Seen seenAt(vec2 pixel) {
     uint _e53 = hashed((at_7.x + _e51));
     seed = _e53;
     vec3 _e56 = frame.eye;
-    Seen _e57 = traceTree(_e56, direction_5);
+    Seen _e57 = traceTree(_e56, direction_6);
     return _e57;
 }
 

@@ -45,7 +45,7 @@ const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "floor": Plane()
     hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_FLOOR);
     // objects[1] "ball": Sphere(center: (0, 1, 0))
@@ -823,6 +823,44 @@ fn meetsBounds(ray: Ray, low: vec3f, high: vec3f) -> bool {
     return max(span.x, ray.t_min) <= min(1.0000004 * span.y, ray.t_max);
 }
 
+// Where a ray meets the scene first.
+
+/// Where a ray meets the scene, and which object.
+struct Hit {
+    t: f32,
+    object: u32,
+    /// What the rounding of the ray's origin may do to a t.
+    slack: f32,
+}
+
+/// No object: the ray leaves the scene.
+const NO_OBJECT: u32 = 0xffffffffu;
+
+/// Crossings closer than this share of what they are made of are at one place: rounding must not choose.
+const SAME_PLACE: f32 = 4e-6;
+
+/// What the rounding of the origin of `ray` may do to a t.
+fn slackOf(ray: Ray) -> f32 {
+    let origin = abs(ray.origin);
+    let direction = abs(ray.direction);
+    let size = max(max(origin.x, origin.y), origin.z);
+    return SAME_PLACE * size / max(max(direction.x, direction.y), direction.z);
+}
+
+fn noHit(ray: Ray) -> Hit {
+    return Hit(ray.t_max, NO_OBJECT, slackOf(ray));
+}
+
+/// The nearer of `hit` and a crossing of `object` at `t`. Where two surfaces coincide, the first object of
+/// the scene has it, or they would be speckled.
+fn nearer(hit: Hit, t: f32, object: u32) -> Hit {
+    work++;
+    if t < hit.t * (1.0 - SAME_PLACE) - hit.slack {
+        return Hit(t, object, hit.slack);
+    }
+    return hit;
+}
+
 // Rays, surfaces, and the few steps that every shape takes with them.
 
 /// What a shape returns for a ray that it does not meet; every real t is smaller.
@@ -853,27 +891,8 @@ struct Surface {
     footprint: f32,
 }
 
-/// Where a ray meets the scene, and which object.
-struct Hit {
-    t: f32,
-    object: u32,
-}
-
-/// No object: the ray leaves the scene.
-const NO_OBJECT: u32 = 0xffffffffu;
-
 /// What the pixel's rays have cost so far: tests of shapes, boxes and triangles of models, steps of marches.
 var<private> work: u32;
-
-/// The nearer of `hit` and a crossing of `object` at `t`. Where two surfaces coincide, the first object of
-/// the scene has it: rounding must not speckle them.
-fn nearer(hit: Hit, t: f32, object: u32) -> Hit {
-    work++;
-    if t < hit.t * 0.999996 {
-        return Hit(t, object);
-    }
-    return hit;
-}
 
 /// The surface at `position`, before anything is known of the world and the pixel.
 fn surface(position: vec3f, normal: vec3f, uv: vec2f) -> Surface {

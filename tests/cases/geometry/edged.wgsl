@@ -16,7 +16,7 @@ const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "Box 0": Box(min: (-3.2, -0.6, -0.8), max: (-1.8, 0.8, 0.8))
     hit = nearer(hit, box(ray, vec3f(-3.2, -0.6, -0.8), vec3f(-1.8, 0.8, 0.8)), OBJECT_BOX_0);
     // objects[1] "RoundedBox 1": RoundedBox(min: (-1.3, -0.6, -0.8), max: (0.1, 0.8, 0.8), radius:…

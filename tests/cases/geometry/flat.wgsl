@@ -17,7 +17,7 @@ const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "Plane 0": Plane(normal: (0, 2, 0), offset: -1)
     hit = nearer(hit, plane(ray, vec3f(0.0, 2.0, 0.0), -1.0), OBJECT_PLANE_0);
     // objects[1] "Disk 1": Disk(center: (-2.4, 0.6, 0), normal: (0.3, 0.4, -1), radius: 1, inner_r…

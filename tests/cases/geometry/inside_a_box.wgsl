@@ -15,7 +15,7 @@ const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "Box 0": Box(min: (-3, -2, -3), max: (3, 2, 3))
     hit = nearer(hit, box(ray, vec3f(-3.0, -2.0, -3.0), vec3f(3.0, 2.0, 3.0)), OBJECT_BOX_0);
     // objects[1] "Cylinder 1": Cylinder(base: (-0.5, -2, -1), top: (-0.5, -0.6, -1), radius: 0.5)

@@ -21,7 +21,7 @@ const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "Plane 0": Plane(offset: -1)
     hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), -1.0), OBJECT_PLANE_0);
     // objects[1] "mirrored": Mesh(file: "../../../scenes/models/knot.obj", scale: (0.9, -0.9, 0.9)…
@@ -128,7 +128,7 @@ fn cutSolid(ray: Ray) -> Crossing {
         }
         let t = min(blockPart.t, hollowPart.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         moved1.t_min = rest.t_min;
         let blockTurns = blockPart.t <= rest.t_min;

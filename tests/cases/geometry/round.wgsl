@@ -16,7 +16,7 @@ const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "Sphere 0": Sphere(center: (-2.6, 0, 0), radius: 0.9)
     hit = nearer(hit, sphere(ray, vec3f(-2.6, 0.0, 0.0), 0.9), OBJECT_SPHERE_0);
     // objects[1] "Ellipsoid 1": Ellipsoid(center: (-0.8, 0, 0), radii: (0.6, 1.2, 0.8))

@@ -18,7 +18,7 @@ const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "RoundedCone 0": RoundedCone(translate: (0, 0, 0))
     hit = nearer(
         hit,

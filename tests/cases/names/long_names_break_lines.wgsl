@@ -14,7 +14,7 @@ const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "a box with a name that is longer than a line of the shader, so that it has to be…
     hit = nearer(
         hit,

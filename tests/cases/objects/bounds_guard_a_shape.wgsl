@@ -14,7 +14,7 @@ const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "Torus 0": Torus(bounds: (min: (-1.25, -0.25, -1.25), max: (1.25, 0.25, 1.25)))
     if meetsBounds(ray, vec3f(-1.25, -0.25, -1.25), vec3f(1.25, 0.25, 1.25)) {
         hit = nearer(hit, torus(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25), OBJECT_TORUS_0);

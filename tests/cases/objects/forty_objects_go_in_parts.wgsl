@@ -57,7 +57,7 @@ const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     hit = rayTracePart0(ray, hit);
     hit = rayTracePart1(ray, hit);
     return hit;

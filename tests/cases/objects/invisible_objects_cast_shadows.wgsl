@@ -14,7 +14,7 @@ const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "Plane 0": Plane()
     hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
     return hit;

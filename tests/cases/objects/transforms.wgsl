@@ -16,7 +16,7 @@ const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "moved": Box(translate: (-3, 0, 0), scale: 0.7)
     hit = nearer(
         hit,

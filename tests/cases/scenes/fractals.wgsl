@@ -19,7 +19,7 @@ const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "ground": Plane()
     hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_GROUND);
     // objects[1] "sponge": MengerSponge(center: (-1.55, 0.86, -0.4), size: 1.7, rotate_deg: (0, 18…
@@ -107,7 +107,7 @@ fn bittenSolid(ray: Ray) -> Crossing {
         }
         let t = min(smoothBalls0Part.t, bitePart.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         let smoothBalls0Turns = smoothBalls0Part.t <= rest.t_min;
         let biteTurns = bitePart.t <= rest.t_min;

@@ -19,7 +19,7 @@ const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "ball": Sphere(center: (0, 1.6, 0), radius: 1.2)
     hit = nearer(hit, sphere(ray, vec3f(0.0, 1.6, 0.0), 1.2), OBJECT_BALL);
     // objects[1] "floor": Quad(corner: (-3, 0, -3), u: (6, 0, 0), v: (0, 0, 6))

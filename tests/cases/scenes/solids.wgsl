@@ -33,7 +33,7 @@ const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "table": Plane()
     hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_TABLE);
     // "die": Difference(translate: (-1.9, 1, 0.4), rotate_deg: (0, 28, 0))
@@ -116,7 +116,7 @@ fn dieSolid(ray: Ray) -> Crossing {
             threeCPart.t,
         );
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         let cubeTurns = cubePart.t <= rest.t_min;
         let oneTurns = onePart.t <= rest.t_min;
@@ -196,7 +196,7 @@ fn cubeSolid(ray: Ray) -> Crossing {
         }
         let t = min(roundedBox0Part.t, sphere1Part.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         let roundedBox0Turns = roundedBox0Part.t <= rest.t_min;
         let sphere1Turns = sphere1Part.t <= rest.t_min;
@@ -228,7 +228,7 @@ fn mugSolid(ray: Ray) -> Crossing {
         }
         let t = min(cupPart.t, handlePart.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         let cupTurns = cupPart.t <= rest.t_min;
         let handleTurns = handlePart.t <= rest.t_min;
         let before = cupPart.leaves || handlePart.leaves;
@@ -278,7 +278,7 @@ fn cupSolid(ray: Ray) -> Crossing {
         }
         let t = min(roundedCylinder0Part.t, hollowPart.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         let roundedCylinder0Turns = roundedCylinder0Part.t <= rest.t_min;
         let hollowTurns = hollowPart.t <= rest.t_min;
@@ -333,7 +333,7 @@ fn handleSolid(ray: Ray) -> Crossing {
         }
         let t = min(ringPart.t, insidePart.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         let ringTurns = ringPart.t <= rest.t_min;
         let insideTurns = insidePart.t <= rest.t_min;
@@ -375,7 +375,7 @@ fn nutSolid(ray: Ray) -> Crossing {
         }
         let t = min(blankPart.t, borePart.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         let blankTurns = blankPart.t <= rest.t_min;
         let boreTurns = borePart.t <= rest.t_min;
@@ -420,7 +420,7 @@ fn blankSolid(ray: Ray) -> Crossing {
         }
         let t = min(hexPrism0Part.t, turnedPart.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         let hexPrism0Turns = hexPrism0Part.t <= rest.t_min;
         let turnedTurns = turnedPart.t <= rest.t_min;
@@ -463,7 +463,7 @@ fn lensSolid(ray: Ray) -> Crossing {
         }
         let t = min(frontPart.t, backPart.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         let frontTurns = frontPart.t <= rest.t_min;
         let backTurns = backPart.t <= rest.t_min;

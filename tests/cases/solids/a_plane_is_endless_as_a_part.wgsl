@@ -14,7 +14,7 @@ const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // "dome": Intersection(bounds: (min: (-2, -1, -2), max: (2, 2, 2)), translate: (0, 1, 0))
     if meetsBounds(
         rayInto(
@@ -75,7 +75,7 @@ fn domeSolid(ray: Ray) -> Crossing {
         }
         let t = min(sphere0Part.t, plane1Part.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         moved1.t_min = rest.t_min;
         let sphere0Turns = sphere0Part.t <= rest.t_min;

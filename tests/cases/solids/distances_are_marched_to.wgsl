@@ -16,7 +16,7 @@ const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "Plane 0": Plane()
     hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
     // objects[1] "pebble": Pebble(min: (-0.6, 0, -0.4), translate: (0, 0.2, 0))
@@ -103,7 +103,7 @@ fn bittenSolid(ray: Ray) -> Crossing {
         }
         let t = min(ballsPart.t, pebble1Part.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         moved1.t_min = rest.t_min;
         let ballsTurns = ballsPart.t <= rest.t_min;

@@ -16,7 +16,7 @@ const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // "valley": Difference()
     hit = nearerCrossing(hit, valleySolid(ray));
     // objects[2] "SmoothBalls 1": SmoothBalls(translate: (-0.7, 1.1, -0.5), blend: LinearGradient(…
@@ -67,7 +67,7 @@ fn valleySolid(ray: Ray) -> Crossing {
         }
         let t = min(landPart.t, craterPart.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         let landTurns = landPart.t <= rest.t_min;
         let craterTurns = craterPart.t <= rest.t_min;
         let before = landPart.leaves && !craterPart.leaves;

@@ -17,7 +17,7 @@ const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
-    var hit = Hit(ray.t_max, NO_OBJECT);
+    var hit = noHit(ray);
     // objects[0] "floor": Plane()
     hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_FLOOR);
     // "die": Difference(rotate_deg: (0, 20, 0))
@@ -72,7 +72,7 @@ fn dieSolid(ray: Ray) -> Crossing {
         }
         let t = min(min(bodyPart.t, wellPart.t), cylinder2Part.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         let bodyTurns = bodyPart.t <= rest.t_min;
         let wellTurns = wellPart.t <= rest.t_min;
@@ -122,7 +122,7 @@ fn bodySolid(ray: Ray) -> Crossing {
         }
         let t = min(box0Part.t, sphere1Part.t);
         if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(t);
+        rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         let box0Turns = box0Part.t <= rest.t_min;
         let sphere1Turns = sphere1Part.t <= rest.t_min;
