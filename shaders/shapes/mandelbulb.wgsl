@@ -14,13 +14,11 @@ fn mandelbulbDistance(p: vec3f, center: vec3f, size: f32, power: f32, iterations
     var slope = 1.0;
     var r = length(z);
     for (var i = 0u; i < min(iterations, 16u) && r < 2.0; i++) {
-        let polar = power * acos(clamp(z.y / max(r, 1e-9), -1.0, 1.0));
-        let turn = power * atan2(z.x, z.z + select(0.0, 1e-9, z.x == 0.0 && z.z == 0.0));
-        let grown = pow(max(r, 1e-6), power - 1.0);
-        slope = power * grown * slope + 1.0;
-        let a = polar - 6.2831853 * round(polar / 6.2831853);
-        let b = turn - 6.2831853 * round(turn / 6.2831853);
-        z = grown * r * vec3f(sin(a) * sin(b), cos(a), sin(a) * cos(b)) + c;
+        let across = length(z.xz);
+        let polar = mandelbulbPower(vec2f(z.y, across), power);
+        let turn = mandelbulbPower(select(vec2f(1.0, 0.0), z.zx / across, across > 0.0), power);
+        slope = power * length(polar) / max(r, 1e-9) * slope + 1.0;
+        z = vec3f(polar.y * turn.y, polar.x, polar.y * turn.x) + c;
         r = length(z);
     }
     return 0.5 * log(max(r, 1e-9)) * r / slope * unit;
@@ -28,4 +26,23 @@ fn mandelbulbDistance(p: vec3f, center: vec3f, size: f32, power: f32, iterations
 
 fn mandelbulbBounds(center: vec3f, size: f32, power: f32, iterations: u32) -> Bounds {
     return Bounds(center - size, center + size);
+}
+
+/// A complex number to a power. By squares: drivers' sines differ in their last digits, and each round of
+/// buds multiplies that.
+fn mandelbulbPower(number: vec2f, power: f32) -> vec2f {
+    let part = fract(power);
+    var result = vec2f(1.0, 0.0);
+    if part > 0.0 {
+        let angle = part * atan2(number.y, number.x + select(0.0, 1e-9, all(number == vec2f(0.0))));
+        result = pow(max(length(number), 1e-9), part) * vec2f(cos(angle), sin(angle));
+    }
+    var square = number;
+    for (var bits = u32(min(power, 31.0)); bits > 0u; bits >>= 1u) {
+        if (bits & 1u) == 1u {
+            result = vec2f(dot(result * square, vec2f(1.0, -1.0)), dot(result, square.yx));
+        }
+        square = vec2f(dot(square * square, vec2f(1.0, -1.0)), 2.0 * square.x * square.y);
+    }
+    return result;
 }
