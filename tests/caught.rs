@@ -1,5 +1,5 @@
 //! The default limits of a picture: 30 small scenes, each with six changes that a person would want to know of,
-//! which are all caught, and what is no change, which never is.
+//! which are all caught, and what is no change, which never is. `RAYTOY_ADAPTER` brings in another driver.
 
 mod common;
 mod patterns;
@@ -13,7 +13,7 @@ use raytoy::difference::rgb;
 use raytoy::gpu::{Gpu, Moment, Renderer};
 use raytoy::judge::{Limits, Verdict, judge};
 use raytoy::laws::World;
-use raytoy::suite::Settings;
+use raytoy::suite::{Settings, by_devices};
 use raytoy::wgsl::Mode;
 
 const BODIES: [&str; 10] = [
@@ -111,7 +111,8 @@ const CHANGES: [Change; 6] = [
 #[test]
 fn changes_are_caught_and_nothing_else_is() {
     let jobs: Vec<Stage> = stages();
-    let Some(found) = patterns::by_devices(&jobs, check) else { return };
+    let Some(devices) = patterns::devices() else { return };
+    let found = by_devices(&devices, &jobs, |gpu, stage| check(gpu, &devices, stage), &mut |_| ());
     let all: Vec<(String, Verdict)> = found.concat();
     let mut names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
     names.sort_unstable();
@@ -199,7 +200,7 @@ impl Stage {
     }
 }
 
-fn check(gpu: &Gpu, stage: &Stage) -> Vec<(String, Verdict)> {
+fn check(gpu: &Gpu, devices: &[Gpu], stage: &Stage) -> Vec<(String, Verdict)> {
     let baked = stage.compiled(Mode::Baked, None);
     let mut written = renderer(gpu, &baked);
     let golden = picture(&mut written, &baked);
@@ -212,6 +213,10 @@ fn check(gpu: &Gpu, stage: &Stage) -> Vec<(String, Verdict)> {
         verdict("same, with numbers as data", &picture(&mut shown, &live)),
         verdict("same, drawn again", &picture(&mut written, &baked)),
     ];
+    for other in devices.iter().filter(|other| other.describe() != gpu.describe()) {
+        let theirs = picture(&mut renderer(other, &baked), &baked);
+        found.push(verdict("same, by another driver", &theirs));
+    }
     for change in CHANGES {
         let next = stage.changed(change).compiled(Mode::Live, Some(&live));
         let actual = if next.source.sections == live.source.sections {

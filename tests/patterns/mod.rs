@@ -26,9 +26,14 @@ pub fn functions(world: &World, family: Family) -> Vec<Arc<Function>> {
 
 /// Calls `work` for each of `jobs` on two devices. Nothing where there is none.
 pub fn by_devices<J: Sync, R: Send>(jobs: &[J], work: impl Fn(&Gpu, &J) -> R + Sync) -> Option<Vec<R>> {
+    Some(suite::by_devices(&devices()?, jobs, work, &mut |_| ()))
+}
+
+/// The device of all tests, and one of the software driver. Nothing where there is none.
+pub fn devices() -> Option<[Gpu; 2]> {
     let first = crate::common::gpu()?;
     let second = Gpu::headless(&AdapterChoice::Software).expect("there is one, so there are two");
-    Some(suite::by_devices(&[first.clone(), second], jobs, work, &mut |_| ()))
+    Some([first.clone(), second])
 }
 
 /// What the only call of `panel` gives at each point.
