@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
+use std::sync::Arc;
 
 use codespan_reporting::diagnostic as codespan;
 use codespan_reporting::files::SimpleFiles;
@@ -81,7 +82,7 @@ impl Diagnostic {
 pub struct Report {
     pub diagnostics: Vec<Diagnostic>,
     /// The text of each file that a place may name.
-    pub texts: BTreeMap<String, String>,
+    pub texts: BTreeMap<String, Arc<str>>,
 }
 
 impl Report {
@@ -99,7 +100,7 @@ impl Report {
         let ids: BTreeMap<&str, usize> = self
             .texts
             .iter()
-            .map(|(name, text)| (name.as_str(), files.add(name.as_str(), text.as_str())))
+            .map(|(name, text)| (name.as_str(), files.add(name.as_str(), &**text)))
             .collect();
         let config = term::Config { tab_width: 4, ..term::Config::default() };
         let mut plain = String::new();

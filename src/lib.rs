@@ -129,7 +129,7 @@ pub fn compile(sources: &Sources, path: &Path, mode: Mode, before: Option<&Compi
         let mut texts = sources.texts();
         // Text that no disk holds: what is built in, and the scene's own section.
         for section in generated.iter().flat_map(|s: &Source| &s.sections) {
-            texts.entry(section.name.clone()).or_insert_with(|| section.text.to_string());
+            texts.entry(section.name.clone()).or_insert_with(|| section.text.clone());
         }
         Outcome { compiled, report: Report { diagnostics, texts } }
     })

@@ -119,10 +119,10 @@ impl Sources {
     }
 
     /// The texts that were found, by the names that messages use.
-    pub fn texts(&self) -> BTreeMap<String, String> {
+    pub fn texts(&self) -> BTreeMap<String, Arc<str>> {
         let asked = self.asked.lock().expect("no holder panics");
         let found = asked.iter().filter_map(|(path, answer)| match answer {
-            Answer::Text(text) => Some((self.name(path), text.to_string())),
+            Answer::Text(text) => Some((self.name(path), text.clone())),
             _ => None,
         });
         found.collect()
