@@ -131,6 +131,7 @@ pub struct RenderOptions {
 #[derive(Args)]
 #[command(after_help = "\
 With --standalone and --lang the shader needs no raytoy any more. Its head says how to draw it.
+Images and models of the scene go to FILE.texels, beside it; a Shadertoy takes none.
 
 Examples:
   raytoy generate scenes/table.ron                             the shader that raytoy runs

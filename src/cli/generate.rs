@@ -1,7 +1,7 @@
 //! `raytoy generate`: the shader of a scene.
 
 use std::io::IsTerminal;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::args::GenerateOptions;
 use super::{Failure, Result, compiled, write_output};
@@ -17,9 +17,32 @@ pub fn run(options: &GenerateOptions) -> Result {
     }
     let mode = if options.live { Mode::Live } else { Mode::Baked };
     let compiled = compiled(&options.scene, mode)?;
-    let bytes = match options.lang {
+    let shader = match options.lang {
         None if !options.standalone => compiled.source.text().into_bytes(),
-        language => export(&compiled, language.unwrap_or(Language::Wgsl))?,
+        language => {
+            let export = export(&compiled, language.unwrap_or(Language::Wgsl))?;
+            if !export.texels.is_empty() {
+                write_beside(output, &export.texels)?;
+            }
+            export.shader
+        }
     };
-    write_output(output, &bytes)
+    write_output(output, &shader)
+}
+
+/// Writes what the shader at `output` takes from files, as its head says.
+fn write_beside(output: &Path, texels: &[u8]) -> Result {
+    // A stream or a device has nothing beside it.
+    let is_file = output != Path::new("-") && std::fs::metadata(output).map_or(true, |found| found.is_file());
+    if !is_file {
+        let why = "images and models of a scene go to a second file, beside that of the shader; \
+                   name one, as in `-o scene.wgsl`";
+        return Err(Failure::Call(why.into()));
+    }
+    let mut beside = output.as_os_str().to_owned();
+    beside.push(".texels");
+    let beside = PathBuf::from(beside);
+    write_output(&beside, texels)?;
+    eprintln!("{}: {} bytes, the images and models of {}", beside.display(), texels.len(), output.display());
+    Ok(())
 }

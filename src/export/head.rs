@@ -4,6 +4,7 @@
 
 use naga::{ScalarKind, TypeInner, VectorSize};
 
+use super::beside::{Beside, Binding};
 use super::standalone::{Standalone, settings};
 use crate::ir::Scene;
 use crate::library::Const;
@@ -16,6 +17,9 @@ pub struct Dialect {
     host: &'static str,
     frame: &'static str,
     samples: &'static str,
+    /// By the numbers of a [`Binding`].
+    texture: fn(u32) -> String,
+    sampler: fn(u32) -> String,
 }
 
 pub const WGSL: Dialect = Dialect {
@@ -23,6 +27,8 @@ pub const WGSL: Dialect = Dialect {
     host: "any WebGPU program",
     frame: "@group(0) @binding(0)",
     samples: "@group(0) @binding(1)",
+    texture: |n| format!("@group(1) @binding({n})"),
+    sampler: |n| format!("@group(1) @binding({n})"),
 };
 
 pub const MSL: Dialect = Dialect {
@@ -30,6 +36,8 @@ pub const MSL: Dialect = Dialect {
     host: "any Metal program",
     frame: "[[buffer(0)]]",
     samples: "[[texture(0)]]",
+    texture: |n| format!("[[texture({n})]]"),
+    sampler: |n| format!("[[sampler({n})]]"),
 };
 
 pub const HLSL: Dialect = Dialect {
@@ -37,13 +45,16 @@ pub const HLSL: Dialect = Dialect {
     host: "any Direct3D program",
     frame: "register(b0)",
     samples: "register(t1)",
+    texture: |n| format!("register(t{n}, space1)"),
+    sampler: |n| format!("register(s{n}, space1)"),
 };
 
 /// The head of a module with the entry points of shaders/standalone.wgsl.
-pub fn standalone(scene: &Scene, module: &naga::Module, dialect: &Dialect) -> String {
-    let Dialect { option, host, frame, samples } = dialect;
-    let (size, fields) = frame_layout(module);
+pub fn standalone(scene: &Scene, alone: &Standalone, dialect: &Dialect) -> String {
+    let Dialect { option, host, frame, samples, .. } = dialect;
+    let (size, fields) = frame_layout(&alone.module);
     let table: String = fields.iter().map(|field| line(field, &settings(scene))).collect();
+    let files = files(&alone.beside, dialect);
     let tangent = (scene.camera.fov / 2.0).tan();
     let how = format!(
         "
@@ -54,7 +65,7 @@ To draw it with {host}, one sample a pixel:
   uniform buffer   {frame}, {size} bytes, for the fragment entry
 
   byte  type   field           what goes there, little-endian
-{table}
+{table}{files}
 Another camera: forward = normalize(target - eye), right = normalize(cross(forward, upwards)),
 up = cross(right, forward); then right and up times {tangent}.
 
@@ -70,7 +81,7 @@ To draw many samples a pixel, n = 0, 1, 2 and so on:
 
 /// The same for a language in which the scene's own section does not list what is in it.
 pub fn translated(scene: &Scene, alone: &Standalone, dialect: &Dialect) -> String {
-    plain(&(standalone(scene, &alone.module, dialect) + &contents(&alone.source)))
+    plain(&(standalone(scene, alone, dialect) + &contents(&alone.source)))
 }
 
 /// The head of a Shadertoy.
@@ -90,9 +101,7 @@ naga has translated it from WGSL. To read it with its comments: raytoy generate 
 }
 
 fn opening(scene: &Scene, option: &str) -> String {
-    // Some of these end a line of WGSL, and with it the comment.
-    let ends_line = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
-    let title = title_of(scene).replace(ends_line, " ");
+    let title = in_one_line(title_of(scene));
     let version = env!("CARGO_PKG_VERSION");
     let call = format!("raytoy generate {title} {option}");
     format!("{title}: a scene as a shader of its own\nWritten by raytoy {version}: {call}\n")
@@ -142,10 +151,41 @@ fn line((offset, ty, field): &(u32, &str, &str), settings: &[(&str, Const)]) -> 
     format!("  {offset:4}  {ty:5}  {field:14}  {number}{what}\n")
 }
 
+/// How to bind what lies beside the module; nothing where nothing does.
+fn files(beside: &Beside, dialect: &Dialect) -> String {
+    if beside.bindings.is_empty() {
+        return String::new();
+    }
+    let row = |Binding { number, is_sampler, ty, name, content }: &Binding| {
+        let place = match is_sampler {
+            true => (dialect.sampler)(*number),
+            false => (dialect.texture)(*number),
+        };
+        format!("  {place:22}  {ty:15}  {name:12}  {}\n", in_one_line(content))
+    };
+    let table: String = beside.bindings.iter().map(row).collect();
+    format!(
+        "
+Images and models are textures, for the fragment entry too. Their texels are in the file beside this one
+that has its name and .texels behind, {} bytes, little-endian. There each texture has its levels, the
+largest first, each other one half as wide and as high as the one before it, rounded down, but at least 1;
+and each level its rows, from the top, without gaps.
+
+  bound to                type             name          what goes there
+{table}",
+        beside.texels.len()
+    )
+}
+
 /// The list of objects, shapes and textures that a scene's own section opens with.
 fn contents(source: &Source) -> String {
     let list = source.generated().lines().take_while(|line| line.starts_with("//"));
     list.map(|line| format!("{line}\n")).collect::<String>() + "\n"
+}
+
+/// `text` without what ends a line of WGSL, and with it the comment.
+fn in_one_line(text: &str) -> String {
+    text.replace(|c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}'), " ")
 }
 
 fn commented(text: &str) -> String {

@@ -1,7 +1,8 @@
 //! A scene as a shader that needs no raytoy: for WebGPU, Shadertoy, Vulkan, Metal and Direct3D.
 //!
-//! In: a [`Compiled`] scene. Out: the bytes of one file. Pure.
+//! In: a [`Compiled`] scene. Out: an [`Export`]: the bytes of a file, and of one beside it. Pure.
 
+mod beside;
 mod head;
 mod native;
 mod shadertoy;
@@ -9,6 +10,8 @@ mod standalone;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use self::standalone::Standalone;
+use crate::wgsl::Host;
 use crate::{Compiled, on_deep_stack};
 
 /// What the shader is written in.
@@ -36,10 +39,19 @@ impl Language {
     ];
 }
 
+/// A scene as files.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Export {
+    pub shader: Vec<u8>,
+    /// What its textures hold, for a file beside it; empty where the scene takes nothing from files. The head
+    /// of the shader tells how to read it; SPIR-V has none, and the bindings and texels of WGSL.
+    pub texels: Vec<u8>,
+}
+
 /// Why a scene cannot stand on its own.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ExportError {
-    /// It takes images or models from these files, which a shader does not hold.
+    /// It takes images or models from these files, which a Shadertoy cannot be given.
     NeedsFiles(Vec<String>),
     /// naga has something against it: a file of the author's has a name that an export uses, or a writer of
     /// naga lacks something.
@@ -53,7 +65,7 @@ impl std::fmt::Display for ExportError {
                 let files: Vec<String> = files.iter().map(|file| format!("`{file}`")).collect();
                 write!(
                     f,
-                    "a shader on its own cannot hold images and models from files: leave out what uses {}",
+                    "a Shadertoy cannot be given images and models from files: leave out what uses {}",
                     files.join(", ")
                 )
             }
@@ -64,26 +76,27 @@ impl std::fmt::Display for ExportError {
 
 impl std::error::Error for ExportError {}
 
-/// The scene as one file in `language`, with its numbers as literals; the same bytes every time.
+/// The scene as a shader in `language`, with its numbers as literals; the same bytes every time.
 ///
 /// # Errors
 /// Where the scene cannot stand on its own.
-pub fn export(compiled: &Compiled, language: Language) -> Result<Vec<u8>, ExportError> {
+pub fn export(compiled: &Compiled, language: Language) -> Result<Export, ExportError> {
     let scene = &compiled.scene;
-    let images = scene.images.iter().map(|image| image.file.clone());
-    let files: Vec<String> = images.chain(scene.models.iter().map(|model| model.file.clone())).collect();
-    if !files.is_empty() {
-        return Err(ExportError::NeedsFiles(files));
-    }
+    let host = if language == Language::Glsl { Host::Shadertoy } else { Host::Any };
+    let write = || {
+        let alone = Standalone::new(scene, host)?;
+        let shader = match language {
+            Language::Wgsl => standalone::wgsl(scene, &alone).into_bytes(),
+            Language::Glsl => shadertoy::glsl(scene, &alone)?.into_bytes(),
+            Language::Spirv => native::spirv(&alone)?,
+            Language::Msl => native::msl(scene, &alone)?.into_bytes(),
+            Language::Hlsl => native::hlsl(scene, &alone)?.into_bytes(),
+        };
+        Ok(Export { shader, texels: alone.beside.texels })
+    };
     on_deep_stack(|| {
         // naga's writers panic at some text that naga's own check lets pass.
-        let written = catch_unwind(AssertUnwindSafe(|| match language {
-            Language::Wgsl => standalone::wgsl(scene).map(String::into_bytes),
-            Language::Glsl => shadertoy::glsl(scene).map(String::into_bytes),
-            Language::Spirv => native::spirv(scene),
-            Language::Msl => native::msl(scene).map(String::into_bytes),
-            Language::Hlsl => native::hlsl(scene).map(String::into_bytes),
-        }));
+        let written = catch_unwind(AssertUnwindSafe(write));
         written.unwrap_or_else(|panic| {
             let why = panic.downcast_ref::<String>().map_or("", String::as_str);
             Err(ExportError::Refused(format!("naga cannot write this shader: {why}")))

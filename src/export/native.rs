@@ -1,17 +1,26 @@
 //! A scene for the drivers of each system, by naga's writers.
 //!
-//! In: a scene without files. Out: SPIR-V, or text in the languages of Metal and Direct3D.
+//! In: a module by itself. Out: SPIR-V, or text in the languages of Metal and Direct3D.
+
+use std::collections::BTreeMap;
 
 use naga::back::{hlsl, msl, spv};
 
 use super::standalone::Standalone;
 use super::{ExportError, head};
 use crate::ir::Scene;
-use crate::wgsl::Host;
+
+/// What naga writes for the sampler of shaders/image.wgsl.
+const HEAP: &str = "\
+SamplerState nagaSamplerHeap[2048]: register(s0, space0);
+SamplerComparisonState nagaComparisonSamplerHeap[2048]: register(s0, space1);
+StructuredBuffer<uint> nagaGroup1SamplerIndexArray : register(t1, space255);
+static const SamplerState imageSampler = nagaSamplerHeap[nagaGroup1SamplerIndexArray[0]];
+";
+const OWN_SAMPLER: &str = "SamplerState imageSampler : register(s0, space1);\n";
 
 /// For Vulkan. The bindings are those of the WGSL.
-pub fn spirv(scene: &Scene) -> Result<Vec<u8>, ExportError> {
-    let Standalone { module, info, .. } = Standalone::new(scene, Host::Any)?;
+pub fn spirv(Standalone { module, info, .. }: &Standalone) -> Result<Vec<u8>, ExportError> {
     let options = spv::Options {
         // Names, whether or not raytoy is a debug build; and y upwards, as WGSL has it.
         flags: spv::WriterFlags::DEBUG
@@ -21,20 +30,25 @@ pub fn spirv(scene: &Scene) -> Result<Vec<u8>, ExportError> {
         force_loop_bounding: false,
         ..Default::default()
     };
-    let words = spv::write_vec(&module, &info, &options, None).map_err(refused)?;
+    let words = spv::write_vec(module, info, &options, None).map_err(refused)?;
     Ok(words.into_iter().flat_map(u32::to_le_bytes).collect())
 }
 
-pub fn msl(scene: &Scene) -> Result<String, ExportError> {
-    let alone = Standalone::new(scene, Host::Any)?;
-    let Standalone { module, info, .. } = &alone;
-    let slot = |binding| naga::ResourceBinding { group: 0, binding };
+pub fn msl(scene: &Scene, alone: &Standalone) -> Result<String, ExportError> {
+    let Standalone { module, info, beside, .. } = alone;
     let frame = msl::BindTarget { buffer: Some(0), ..Default::default() };
-    let samples = msl::BindTarget { texture: Some(0), ..Default::default() };
-    let resources = msl::EntryPointResources {
-        resources: [(slot(0), frame), (slot(1), samples)].into(),
+    let texture = |slot| msl::BindTarget { texture: Some(slot), ..Default::default() };
+    let sampler = |slot| msl::BindTarget {
+        sampler: Some(msl::BindSamplerTarget::Resource(slot)),
         ..Default::default()
     };
+    let mut resources = BTreeMap::from([(place(0, 0), frame), (place(0, 1), texture(0))]);
+    // Each has the number that it has in WGSL, where textures begin at 1.
+    resources.extend(beside.bindings.iter().map(|binding| {
+        let slot = binding.number as u8;
+        (place(1, binding.number), if binding.is_sampler { sampler(slot) } else { texture(slot) })
+    }));
+    let resources = msl::EntryPointResources { resources, ..Default::default() };
     let entries = module.entry_points.iter().map(|entry| (entry.name.clone(), resources.clone()));
     let options = msl::Options {
         lang_version: (2, 0),
@@ -54,13 +68,12 @@ pub fn msl(scene: &Scene) -> Result<String, ExportError> {
     for name in translated.entry_point_names {
         name.map_err(refused)?;
     }
-    Ok(head::translated(scene, &alone, &head::MSL) + &text)
+    Ok(head::translated(scene, alone, &head::MSL) + &text)
 }
 
-pub fn hlsl(scene: &Scene) -> Result<String, ExportError> {
-    let alone = Standalone::new(scene, Host::Any)?;
-    let Standalone { module, info, .. } = &alone;
-    // Bindings that no map tells of become registers of the same numbers.
+pub fn hlsl(scene: &Scene, alone: &Standalone) -> Result<String, ExportError> {
+    let Standalone { module, info, .. } = alone;
+    // Bindings that no map tells of become registers of the same numbers, in the space of their group.
     let options = hlsl::Options { force_loop_bounding: false, ..Default::default() };
     let pipeline = hlsl::PipelineOptions::default();
     let mut text = String::new();
@@ -69,7 +82,22 @@ pub fn hlsl(scene: &Scene) -> Result<String, ExportError> {
     for name in translated.entry_point_names {
         name.map_err(refused)?;
     }
-    Ok(head::translated(scene, &alone, &head::HLSL) + &text)
+    Ok(head::translated(scene, alone, &head::HLSL) + &with_own_sampler(text, alone)?)
+}
+
+/// naga takes samplers out of a heap of 2048, by a buffer of indices: more than a host wants to bind for one.
+fn with_own_sampler(text: String, alone: &Standalone) -> Result<String, ExportError> {
+    if !alone.beside.bindings.iter().any(|binding| binding.is_sampler) {
+        return Ok(text);
+    }
+    if text.matches(HEAP).count() != 1 {
+        return Err(refused("naga writes samplers in a way that is not known here"));
+    }
+    Ok(text.replacen(HEAP, OWN_SAMPLER, 1))
+}
+
+fn place(group: u32, binding: u32) -> naga::ResourceBinding {
+    naga::ResourceBinding { group, binding }
 }
 
 fn refused(error: impl std::fmt::Display) -> ExportError {

@@ -1,6 +1,6 @@
 //! A scene as a Shadertoy.
 //!
-//! In: a scene without files. Out: GLSL ES 3.00 with one function, `mainImage`, for Shadertoy to call.
+//! In: a module without files. Out: GLSL ES 3.00 with one function, `mainImage`, for Shadertoy to call.
 
 use naga::back::glsl::{Options, PipelineOptions, Version, Writer, WriterFlags};
 use naga::proc::BoundsCheckPolicies;
@@ -10,7 +10,6 @@ use naga::{Expression, Handle, Module, ScalarKind, TypeInner};
 use super::standalone::Standalone;
 use super::{ExportError, head};
 use crate::ir::Scene;
-use crate::wgsl::Host;
 
 /// What naga writes for shaders/shadertoy.wgsl, and what Shadertoy wants there. It declares the inputs
 /// itself, and calls a function with the output and the pixel.
@@ -29,9 +28,12 @@ const CHANGES: [(&str, &str); 8] = [
 ];
 
 /// naga's translation of shaders/shadertoy.wgsl, with what Shadertoy wants otherwise put right.
-pub fn glsl(scene: &Scene) -> Result<String, ExportError> {
-    let Standalone { source, module, info } = Standalone::new(scene, Host::Shadertoy)?;
-    refuse_unknown(&module, &info)?;
+pub fn glsl(scene: &Scene, alone: &Standalone) -> Result<String, ExportError> {
+    let Standalone { source, module, info, beside } = alone;
+    if !beside.files.is_empty() {
+        return Err(ExportError::NeedsFiles(beside.files.clone()));
+    }
+    refuse_unknown(module, info)?;
     let options =
         Options { version: Version::new_gles(300), writer_flags: WriterFlags::empty(), ..Default::default() };
     let pipeline = PipelineOptions {
@@ -41,7 +43,7 @@ pub fn glsl(scene: &Scene) -> Result<String, ExportError> {
     };
     let mut text = String::new();
     let policies = BoundsCheckPolicies::default();
-    Writer::new(&mut text, &module, &info, &options, &pipeline, policies)
+    Writer::new(&mut text, module, info, &options, &pipeline, policies)
         .and_then(|mut writer| writer.write())
         .map_err(|error| ExportError::Refused(error.to_string()))?;
     for (from, to) in CHANGES {
@@ -52,7 +54,7 @@ pub fn glsl(scene: &Scene) -> Result<String, ExportError> {
         }
         text = text.replacen(from, to, 1);
     }
-    Ok(head::shadertoy(scene, &source) + &text)
+    Ok(head::shadertoy(scene, source) + &text)
 }
 
 /// # Errors

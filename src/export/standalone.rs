@@ -1,10 +1,11 @@
 //! A scene as a WGSL module by itself, and that module as the writers of other languages take it.
 //!
-//! In: a scene without files. Out: text, or a [`Standalone`].
+//! In: a scene. Out: text, or a [`Standalone`].
 
 use naga::compact::{KeepUnused, compact};
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
+use super::beside::Beside;
 use super::{ExportError, head};
 use crate::gpu::{Frame, Moment};
 use crate::ir::Scene;
@@ -18,12 +19,12 @@ pub struct Standalone {
     /// Only what its entry points use.
     pub module: naga::Module,
     pub info: ModuleInfo,
+    pub beside: Beside,
 }
 
 /// The module as text, which opens with how to draw it.
-pub fn wgsl(scene: &Scene) -> Result<String, ExportError> {
-    let Standalone { source, module, .. } = Standalone::new(scene, Host::Any)?;
-    Ok(head::standalone(scene, &module, &head::WGSL) + &source.text())
+pub fn wgsl(scene: &Scene, alone: &Standalone) -> String {
+    head::standalone(scene, alone, &head::WGSL) + &alone.source.text()
 }
 
 impl Standalone {
@@ -38,7 +39,8 @@ impl Standalone {
         let info = Validator::new(ValidationFlags::all(), Capabilities::default())
             .validate(&module)
             .map_err(|error| ExportError::Refused(error.to_string()))?;
-        Ok(Self { source, module, info })
+        let beside = Beside::new(scene, &module);
+        Ok(Self { source, module, info, beside })
     }
 }
 

@@ -15,6 +15,7 @@ mod lines;
 mod pipeline;
 mod probe;
 mod slices;
+mod texels;
 mod tracer;
 mod uniforms;
 
@@ -26,5 +27,6 @@ pub use lens::Lens;
 pub use lines::{Line, Lines};
 pub use pipeline::Pipeline;
 pub use probe::{Crossing, Look, Probe, Ray, SurfacePoint};
+pub use texels::{SAMPLER_BINDING, Texels, texels};
 pub use tracer::Tracer;
 pub use uniforms::{Frame, Moment, View, sample_offset};

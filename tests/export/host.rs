@@ -1,22 +1,25 @@
-//! A program that knows wgpu and the head of a standalone file, and of raytoy only its device.
+//! A program that knows wgpu, a standalone file and what lies beside it, and of raytoy only its device.
 
 use raytoy::gpu::{Display, Gpu, sample_offset};
 use wgpu::util::DeviceExt;
 
+use super::files;
+
 /// Draws as the head says under "one sample a pixel".
-pub fn one_sample(gpu: &Gpu, text: &str, size: [u32; 2]) -> Vec<u8> {
+pub fn one_sample(gpu: &Gpu, text: &str, texels: &[u8], size: [u32; 2]) -> Vec<u8> {
     let target = texture(gpu, size, wgpu::TextureFormat::Rgba8Unorm);
     let frame = frame(text, size, 0, [0.0; 2]);
-    draw(gpu, text, "drawPicture", &target, Bound::Frame(&frame), None);
+    draw(gpu, text, "drawPicture", &target, Bound::Scene { frame: &frame, texels }, None);
     read(gpu, &target)
 }
 
 /// Draws as the head says under "many samples a pixel".
-pub fn many_samples(gpu: &Gpu, text: &str, size: [u32; 2], count: u32) -> Vec<u8> {
+pub fn many_samples(gpu: &Gpu, text: &str, texels: &[u8], size: [u32; 2], count: u32) -> Vec<u8> {
     let light = texture(gpu, size, wgpu::TextureFormat::Rgba16Float);
     for n in 0..count {
         let frame = frame(text, size, n, sample_offset(n, count));
-        draw(gpu, text, "drawLight", &light, Bound::Frame(&frame), Some(1.0 / f64::from(n + 1)));
+        let bound = Bound::Scene { frame: &frame, texels };
+        draw(gpu, text, "drawLight", &light, bound, Some(1.0 / f64::from(n + 1)));
     }
     let target = texture(gpu, size, wgpu::TextureFormat::Rgba8Unorm);
     draw(gpu, text, "showSamples", &target, Bound::Samples(&light), None);
@@ -69,7 +72,7 @@ fn frame(text: &str, [width, height]: [u32; 2], n: u32, jitter: [f32; 2]) -> Vec
 
 /// What a fragment entry reads.
 enum Bound<'a> {
-    Frame(&'a [u8]),
+    Scene { frame: &'a [u8], texels: &'a [u8] },
     Samples(&'a wgpu::Texture),
 }
 
@@ -111,13 +114,14 @@ fn draw(gpu: &Gpu, text: &str, entry: &str, target: &wgpu::Texture, bound: Bound
     });
     let view = |texture: &wgpu::Texture| texture.create_view(&Default::default());
     let (buffer, samples);
+    let mut files = None;
     let entry = match bound {
-        Bound::Frame(contents) => {
-            let usage = wgpu::BufferUsages::UNIFORM;
+        Bound::Scene { frame, texels } => {
+            files = files::bind_group(gpu, text, texels, &pipeline);
             buffer = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
                 label: None,
-                contents,
-                usage,
+                contents: frame,
+                usage: wgpu::BufferUsages::UNIFORM,
             });
             wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }
         }
@@ -147,6 +151,7 @@ fn draw(gpu: &Gpu, text: &str, entry: &str, target: &wgpu::Texture, bound: Bound
         pass.set_blend_constant(wgpu::Color { r: c, g: c, b: c, a: c });
         pass.set_pipeline(&pipeline);
         pass.set_bind_group(0, &group, &[]);
+        files.iter().for_each(|files| pass.set_bind_group(1, files, &[]));
         pass.draw(0..3, 0..1);
     }
     gpu.queue.submit([encoder.finish()]);

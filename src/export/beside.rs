@@ -1,0 +1,80 @@
+//! What a module on its own takes from files: images and models, as texels in a file that lies beside it.
+//!
+//! In: a scene, and its module. Out: a [`Beside`].
+
+use naga::{GlobalVariable, ImageClass, Module, ResourceBinding, ScalarKind, TypeInner};
+
+use crate::gpu::{SAMPLER_BINDING, Texels, texels};
+use crate::ir::Scene;
+
+/// A file of texels, and what a host binds them to.
+#[derive(Default)]
+pub struct Beside {
+    /// Variables of bind group 1 that an entry point uses, by their numbers.
+    pub bindings: Vec<Binding>,
+    /// One texture behind the other.
+    pub texels: Vec<u8>,
+    /// What the texels were made of.
+    pub files: Vec<String>,
+}
+
+/// A variable of the module.
+pub struct Binding {
+    pub number: u32,
+    pub is_sampler: bool,
+    pub ty: &'static str,
+    pub name: String,
+    /// What a host binds to it.
+    pub content: String,
+}
+
+/// Where a texture may begin: Vulkan copies from multiples of a texel's size, of which this is the largest.
+const ALIGNMENT: usize = 16;
+
+impl Beside {
+    pub fn new(scene: &Scene, module: &Module) -> Self {
+        let mut beside = Self::default();
+        let variable = |binding| {
+            let place = Some(ResourceBinding { group: 1, binding });
+            module.global_variables.iter().map(|(_, variable)| variable).find(|v| v.binding == place)
+        };
+        let sampler = variable(SAMPLER_BINDING).filter(|_| !scene.images.is_empty());
+        beside.bindings.extend(sampler.map(|variable| {
+            let content = "linear in a level and between levels; repeats to all sides".to_owned();
+            Binding::new(module, variable, SAMPLER_BINDING, content)
+        }));
+        for texels in texels(scene) {
+            // A texture that the scene declares and nothing uses is bound to nothing.
+            if let Some(variable) = variable(texels.binding) {
+                let content = beside.put(&texels);
+                beside.bindings.push(Binding::new(module, variable, texels.binding, content));
+                beside.files.extend(texels.files);
+            }
+        }
+        beside
+    }
+
+    /// Lays a texture behind the others, and tells of it.
+    fn put(&mut self, Texels { format, size: [width, height], levels, files, .. }: &Texels) -> String {
+        let start = self.texels.len().next_multiple_of(ALIGNMENT);
+        self.texels.resize(start, 0);
+        levels.iter().for_each(|level| self.texels.extend(level));
+        let format = format!("{format:?}").to_lowercase();
+        let count = levels.len();
+        let noun = if count == 1 { "level" } else { "levels" };
+        format!("{format}, {width}x{height}, {count} {noun} from byte {start}: {}", files.join(", "))
+    }
+}
+
+impl Binding {
+    fn new(module: &Module, variable: &GlobalVariable, number: u32, content: String) -> Self {
+        let (is_sampler, ty) = match module.types[variable.ty].inner {
+            TypeInner::Sampler { .. } => (true, "sampler"),
+            TypeInner::Image { class: ImageClass::Sampled { kind: ScalarKind::Uint, .. }, .. } => {
+                (false, "texture_2d<u32>")
+            }
+            _ => (false, "texture_2d<f32>"),
+        };
+        Self { number, is_sampler, ty, name: variable.name.clone().unwrap_or_default(), content }
+    }
+}

@@ -1,0 +1,72 @@
+//! What a scene takes from files, as textures: each image by itself, all models in one.
+//!
+//! In: a [`Scene`]. Out: [`Texels`], as any GPU takes them.
+
+use half::f16;
+
+use crate::ir::Scene;
+use crate::library::{Image, Model};
+
+/// Holds light beyond 1 in half the bytes of a float, and every device filters it.
+const IMAGE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+
+/// As shaders/image.wgsl says: the one sampler of all images.
+pub const SAMPLER_BINDING: u32 = 0;
+
+/// As shaders/model.wgsl says.
+const MODELS: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
+const MODELS_BINDING: u32 = 15;
+pub(super) const MODELS_ROW: u32 = 2048;
+
+/// What one texture of bind group 1 holds.
+#[derive(Clone, Debug)]
+pub struct Texels {
+    pub binding: u32,
+    pub format: wgpu::TextureFormat,
+    /// Width and height of the first level. Each other one is half as wide and as high as the one before it,
+    /// rounded down, but at least 1.
+    pub size: [u32; 2],
+    /// Of each level the bytes: rows from the top, little-endian, without gaps.
+    pub levels: Vec<Vec<u8>>,
+    /// What they were made of.
+    pub files: Vec<String>,
+}
+
+/// All textures of `scene`, by their bindings. They are made one after the other, since they may be large.
+pub fn texels(scene: &Scene) -> impl Iterator<Item = Texels> {
+    let images = (1..).zip(&scene.images).map(|(binding, image)| of_image(binding, image));
+    images.chain((!scene.models.is_empty()).then(|| of_models(&scene.models)))
+}
+
+fn of_image(binding: u32, image: &Image) -> Texels {
+    let texel = |rgb: &glam::Vec3| {
+        let halves = rgb.extend(1.0).to_array().map(|x| f16::from_f32(x.min(65504.0)).to_bits().to_le());
+        bytemuck::cast::<[u16; 4], [u8; 8]>(halves)
+    };
+    let bytes = |texels: &[glam::Vec3]| texels.iter().map(texel).collect::<Vec<_>>().into_flattened();
+    Texels {
+        binding,
+        format: IMAGE,
+        size: image.levels[0].size,
+        levels: image.levels.iter().map(|level| bytes(&level.texels)).collect(),
+        files: vec![image.file.clone()],
+    }
+}
+
+/// All models in a row, and the last row of texels to its end.
+fn of_models(models: &[Model]) -> Texels {
+    let mut words: Vec<[u32; 4]> = vec![];
+    for model in models {
+        words.extend(model.words(words.len() as u32));
+    }
+    let rows = (words.len() as u32).div_ceil(MODELS_ROW);
+    words.resize((rows * MODELS_ROW) as usize, [0; 4]);
+    let texel = |words: [u32; 4]| bytemuck::cast::<[u32; 4], [u8; 16]>(words.map(u32::to_le));
+    Texels {
+        binding: MODELS_BINDING,
+        format: MODELS,
+        size: [MODELS_ROW, rows],
+        levels: vec![words.into_iter().map(texel).collect::<Vec<_>>().into_flattened()],
+        files: models.iter().map(|model| model.file.clone()).collect(),
+    }
+}

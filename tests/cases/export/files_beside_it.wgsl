@@ -1,0 +1,121 @@
+// Generated from tests/cases/export/files_beside_it.ron
+// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.
+//
+//   objects   Plane 0, Mesh 1
+//   shapes    Plane, Mesh
+
+const OBJECT_PLANE_0: u32 = 0u;
+const OBJECT_MESH_1: u32 = 1u;
+/// scenes/models/gem.glb
+const MODEL_GEM: Model = Model(0u);
+const LIGHTS: u32 = 1u;
+/// Whether any ray goes through a surface.
+const TRANSMITS: bool = false;
+/// Whether any material varies over a surface.
+const TEXTURED: bool = true;
+
+/// The nearest object that `ray` meets.
+fn rayTraceScene(ray: Ray) -> Hit {
+    var hit = noHit(ray);
+    // objects[0] "Plane 0": Plane()
+    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
+    // objects[1] "Mesh 1": Mesh(file: "../../../scenes/models/gem.glb", smooth: false, scale: 0.9,…
+    hit = nearer(
+        hit,
+        mesh(
+            rayInto(
+                Space(
+                    vec4f(1.1111112, 0.0, 0.0, 0.0),
+                    vec4f(0.0, 1.1111112, 0.0, -0.88888896),
+                    vec4f(0.0, 0.0, 1.1111112, 0.0),
+                ),
+                ray,
+            ),
+            MODEL_GEM,
+            false,
+        ),
+        OBJECT_MESH_1,
+    );
+    return hit;
+}
+
+/// Whether anything that casts a shadow lies on `ray`.
+fn sceneBlocks(ray: Ray) -> bool {
+    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
+    if mesh(
+        rayInto(
+            Space(
+                vec4f(1.1111112, 0.0, 0.0, 0.0),
+                vec4f(0.0, 1.1111112, 0.0, -0.88888896),
+                vec4f(0.0, 0.0, 1.1111112, 0.0),
+            ),
+            ray,
+        ),
+        MODEL_GEM,
+        false,
+    ) < NO_HIT { return true; }
+    return false;
+}
+
+/// The surface of `object` at the world point `p`.
+fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    switch object {
+        case OBJECT_PLANE_0: {
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+        }
+        case OBJECT_MESH_1: {
+            let space = Space(
+                vec4f(1.1111112, 0.0, 0.0, 0.0),
+                vec4f(0.0, 1.1111112, 0.0, -0.88888896),
+                vec4f(0.0, 0.0, 1.1111112, 0.0),
+            );
+            return placedFrom(space, meshSurface(pointInto(space, p), MODEL_GEM, false), p);
+        }
+        default: {
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+        }
+    }
+}
+
+/// tests/cases/patterns/photo.jpg
+@group(1) @binding(1) var image0: texture_2d<f32>;
+
+/// The material of `object` at its surface point `at`.
+fn materialAt(object: u32, at: Surface) -> Material {
+    switch object {
+        case OBJECT_PLANE_0: { return plane0Material(at); }
+        case OBJECT_MESH_1: { return mesh1Material(at); }
+        default: { return matte(vec3f(0.0)); }
+    }
+}
+
+fn plane0Material(at: Surface) -> Material {
+    return matte(imageColor(image0, at, 0.8, true));
+}
+
+fn mesh1Material(at: Surface) -> Material {
+    return matte(vec3f(0.8));
+}
+
+/// The world normal of `object` at `met`.
+fn normalAt(object: u32, met: Placed) -> vec3f {
+    return met.normal;
+}
+
+/// What a ray sees that leaves the scene in `direction`.
+fn background(direction: vec3f) -> vec3f {
+    return vec3f(0.0);
+}
+
+fn ambientLight() -> vec3f {
+    return vec3f(0.1);
+}
+
+/// The light `index` as the world point `p` sees it.
+fn lightAt(index: u32, p: vec3f) -> Light {
+    switch index {
+        // lights[0]: Point(position: (3, 6, 5))
+        case 0u: { return pointLight(p, vec3f(3.0, 6.0, 5.0), 0.0, vec3f(1.0)); }
+        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
+    }
+}
