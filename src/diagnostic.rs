@@ -78,7 +78,7 @@ impl Diagnostic {
 }
 
 /// Problems together with the texts that they point into.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
     pub diagnostics: Vec<Diagnostic>,
     /// The text of each file that a place may name.

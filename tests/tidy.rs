@@ -18,7 +18,7 @@ const IMPORTS: [(&str, &[&str]); 22] = [
     ("outline", &["ir", "library", "scene"]),
     ("wgsl", &["ir", "library"]),
     ("module", &["wgsl", "diagnostic"]),
-    ("gpu", &["ir", "wgsl", "library", "Compiled", "on_deep_stack"]),
+    ("gpu", &["diagnostic", "ir", "wgsl", "library", "Compiled", "on_deep_stack"]),
     ("export", &["gpu", "ir", "library", "module", "wgsl", "Compiled", "on_deep_stack"]),
     ("capture", &["gpu", "Compiled"]),
     ("stage", &["diagnostic", "sources", "Compiled", "compile"]),

@@ -27,7 +27,10 @@ fn trianglesShares(p: vec2f, width: f32, gap: f32) -> vec2f {
     let low = vec2f(0.5 * gap, gap);
     let high = 1.0 - low.yx;
     var shares = vec2f(0.0);
-    for (var row = ceil(y - 0.5 * tall) - 1.0; row < y + 0.5 * tall; row += 1.0) {
+    let lowest = ceil(y - 0.5 * tall) - 1.0;
+    // Far out one more row is the same number, so rows are counted. Filters are six rows tall at most.
+    for (var n = 0; n < 8 && lowest + f32(n) < y + 0.5 * tall; n++) {
+        let row = lowest + f32(n);
         let f = y - row;
         let below = 0.5 + (low - f) / tall;
         let above = 0.5 + (f - high) / tall;

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 
 use super::events::Change;
 use super::focus::Focus;
+use super::trial::Trial;
 use crate::diagnostic::{Diagnostic, Report};
 use crate::gpu::{Gpu, Pipeline};
 use crate::library::Library;
@@ -65,8 +66,8 @@ pub struct Version {
     pub noticed: Instant,
 }
 
-/// Starts the thread; each result goes to `done`.
-pub fn start(gpu: Gpu, done: impl Fn(Built) + Send + 'static) -> Sender<Order> {
+/// Starts the thread; each result goes to `done`. What `trial` has found of versions on other devices counts.
+pub fn start(gpu: Gpu, trial: Trial, done: impl Fn(Built) + Send + 'static) -> Sender<Order> {
     let (sender, receiver) = channel();
     let changes = sender.clone();
     std::thread::spawn(move || {
@@ -80,7 +81,9 @@ pub fn start(gpu: Gpu, done: impl Fn(Built) + Send + 'static) -> Sender<Order> {
             focus: Focus::All,
             before: None,
             without_live: None,
+            trial,
         };
+        builder.begin_again(&done);
         while let Ok(first) = receiver.recv() {
             let orders: Vec<Order> = std::iter::once(first).chain(receiver.try_iter()).collect();
             if orders.iter().any(|order| matches!(order, Order::End)) {
@@ -105,9 +108,28 @@ struct Builder {
     before: Option<Arc<Compiled>>,
     /// The same, while it has no live pipeline: that waits until the author sees the baked one.
     without_live: Option<Arc<Compiled>>,
+    trial: Trial,
 }
 
 impl Builder {
+    /// Shows what was shown on the device before, which was lost over something else.
+    fn begin_again(&mut self, done: &impl Fn(Built)) {
+        let Some(compiled) = self.trial.good().cloned() else { return };
+        let noticed = Instant::now();
+        // What it was drawn with before it is drawn with again; where not, the files tell what is wrong.
+        let Ok(baked) = self.baked(&compiled) else { return };
+        done(Built::Scene(Box::new(Version {
+            compiled: compiled.clone(),
+            change: Change::Structure,
+            baked: Some(baked),
+            pipeline_time: noticed.elapsed(),
+            warnings: Report::default(),
+            noticed,
+        })));
+        self.before = Some(compiled.clone());
+        self.without_live = Some(compiled);
+    }
+
     /// Takes all orders that have come as one.
     fn obey(&mut self, orders: Vec<Order>, done: &impl Fn(Built)) {
         let mut is_stale = false;
@@ -169,6 +191,10 @@ impl Builder {
                 return None;
             }
         };
+        if let Some(report) = self.trial.verdict(&compiled) {
+            done(Built::Broken(report));
+            return None;
+        }
         let mut change = self.change(&compiled);
         if change == Change::Numbers && !self.build_live(done) {
             change = Change::Structure;

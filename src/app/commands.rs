@@ -20,6 +20,7 @@ pub enum Command {
     NextView,
     PreviousView,
     Magnifier,
+    Patience,
     SavePicture,
     Pause,
     StepBack,
@@ -44,7 +45,7 @@ pub struct Entry {
 }
 
 /// Every command once, group by group.
-pub const COMMANDS: [Entry; 22] = [
+pub const COMMANDS: [Entry; 23] = [
     entry(
         Command::NewScene,
         "Scene",
@@ -117,6 +118,13 @@ pub const COMMANDS: [Entry; 22] = [
         "Magnifier",
         &[plain(Key::Z)],
         "show the pixels around the pointer eight times as large",
+    ),
+    entry(
+        Command::Patience,
+        "Picture",
+        "Patience",
+        &[plain(Key::P)],
+        "draw pictures that take more than a minute, too",
     ),
     entry(
         Command::SavePicture,

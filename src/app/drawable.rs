@@ -1,18 +1,23 @@
 //! A version of the scene with its pipelines, as the painter keeps it.
 
+use std::sync::Arc;
+
 use super::builder::Version;
 use super::events::Change;
-use crate::gpu::Pipeline;
+use crate::gpu::{Gpu, Pipeline};
 
 /// A scene on the GPU.
 pub struct Drawable {
     pub version: Box<Version>,
     pub baked: Option<Pipeline>,
-    pub live: Option<Pipeline>,
+    /// One for all versions that differ in numbers: it has those of the one drawn last.
+    pub live: Option<Arc<Pipeline>>,
     /// Whether the live pipeline has drawn, in which some drivers compile.
     pub is_warm: bool,
     /// Whether a picture of it went to the window.
     pub is_shown: bool,
+    /// Whether a picture of it was drawn whole, in which it did no harm.
+    pub is_proven: bool,
     pub edit: u64,
     /// Whether a snippet reads the clock, or the mouse.
     pub moves: bool,
@@ -20,21 +25,29 @@ pub struct Drawable {
 }
 
 impl Drawable {
-    /// `version`, which took the place of `before`: where only numbers differ, that one's pipeline goes on.
-    pub fn new(mut version: Box<Version>, before: Option<Drawable>) -> Self {
+    /// `version`, which follows `before`: where only numbers differ, that one's pipeline goes on.
+    pub fn new(mut version: Box<Version>, before: Option<&Drawable>) -> Self {
         let snippets = version.compiled.source.sections.iter().filter(|s| !s.name.starts_with("shaders/"));
         let reads = |what: &str| snippets.clone().any(|s| s.text.contains(what));
         let (moves, reads_mouse) = (reads("frame.time"), reads("frame.mouse"));
-        let edit = before.as_ref().map_or(0, |scene| scene.edit + 1);
+        let edit = before.map_or(0, |scene| scene.edit + 1);
         let baked = version.baked.take();
-        let live = before.filter(|_| version.change == Change::Numbers).and_then(|before| before.live);
+        let live =
+            before.filter(|_| version.change == Change::Numbers).and_then(|before| before.live.clone());
         let is_warm = live.is_some();
-        Self { version, baked, live, is_warm, is_shown: false, edit, moves, reads_mouse }
+        Self { version, baked, live, is_warm, is_shown: false, is_proven: false, edit, moves, reads_mouse }
     }
 
     /// The baked pipeline until a number is edited, then the live one.
     pub fn pipeline(&self) -> &Pipeline {
-        let pipeline = self.baked.as_ref().or(self.live.as_ref());
+        let pipeline = self.baked.as_ref().or(self.live.as_deref());
         pipeline.expect("a scene comes with a baked pipeline, and loses it only to a live one")
+    }
+
+    /// The pipelines get this version's numbers, unless they have them written out.
+    pub fn upload(&self, gpu: &Gpu) {
+        if let Some(live) = &self.live {
+            live.upload(gpu, &self.version.compiled.source.numbers);
+        }
     }
 }

@@ -15,6 +15,7 @@ use super::painter;
 use super::panel;
 use super::screen::Screen;
 use super::settings::Theme;
+use super::trial::Trial;
 use crate::gpu::{AdapterChoice, Gpu};
 
 /// A window's device, and what stands on it.
@@ -47,7 +48,7 @@ impl Engine {
         window: &Arc<Window>,
         display: OwnedDisplayHandle,
         choice: &AdapterChoice,
-        (scene, theme): (&Path, Theme),
+        (scene, trial, theme): (&Path, Trial, Theme),
         notify: impl Fn(Notice) + Clone + Send + Sync + 'static,
     ) -> Result<Self, String> {
         let screen = Screen::new(window.clone(), display, choice)?;
@@ -64,7 +65,7 @@ impl Engine {
         let painter = painter::start(gpu.clone(), shares_device, notify.clone());
         let wishes = painter.clone();
         let album = Album::new(gpu.clone(), move || notify(Notice::Captured));
-        let builder = builder::start(gpu.clone(), move |built| drop(wishes.send(Wish::Built(built))));
+        let builder = builder::start(gpu.clone(), trial, move |built| drop(wishes.send(Wish::Built(built))));
         let _ = builder.send(Order::Open(scene.to_owned()));
         let context = egui::Context::default();
         panel::apply_style(&context, theme);

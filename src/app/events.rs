@@ -10,6 +10,8 @@ pub enum Event {
     Opened { adapter: String },
     /// The device was lost, and this one took its place.
     Restarted { adapter: String, why: String },
+    /// A version of the scene is drawn for the first time.
+    Begun,
     /// From now on numbers can be edited without another pipeline.
     Ready { pipelines: u32 },
     /// A click has chosen an object, or nothing.

@@ -29,6 +29,8 @@ pub struct Look {
     pub gizmos: bool,
     /// Whether the window wants to know what lies under each pixel.
     pub asks: bool,
+    /// Whether a picture may take as long as it does.
+    pub patient: bool,
 }
 
 /// The time that a scene shows which reads it.
@@ -80,6 +82,10 @@ pub enum Notice {
     Captured,
     /// The scene is wrong; nothing else changes.
     Broken(Report),
+    /// What was wrong while the scene was drawn is so no more; with its warnings.
+    Mended(Report),
+    /// A version is about to be drawn for the first time.
+    Tries(Arc<Compiled>),
     /// A device is gone, and all that stood on it.
     Lost(String),
     /// What a driving program asks for.

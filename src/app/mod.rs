@@ -25,6 +25,7 @@ mod panel;
 mod screen;
 mod settings;
 mod templates;
+mod trial;
 mod window;
 
 use std::path::PathBuf;

@@ -12,6 +12,7 @@ use super::events::Event;
 use super::messages::{Look, Picture, Wish};
 use super::panel::{CaptureDeed, Panel};
 use super::settings::Memory;
+use super::trial::Trial;
 
 /// What exists while the window does.
 pub struct Open {
@@ -21,6 +22,7 @@ pub struct Open {
     pub restarts: u32,
     /// How many since a picture was there.
     pub vain: u32,
+    pub trial: Trial,
     pub panel: Panel,
     pub memory: Memory,
     pub quits: bool,
@@ -40,6 +42,7 @@ impl Open {
             engine,
             restarts,
             vain: 0,
+            trial: Trial::default(),
             panel,
             memory,
             quits: false,
@@ -53,6 +56,7 @@ impl Open {
 
     pub fn take(&mut self, picture: Picture) {
         self.vain = 0;
+        self.trial.end(&picture);
         let is_new_edit = self.last_edit != Some(picture.edit);
         self.last_edit = Some(picture.edit);
         self.panel.take(&picture, is_new_edit);

@@ -6,12 +6,28 @@ use std::time::Duration;
 pub struct Pace {
     nanos_per_pixel: f64,
     /// Whether the pipeline has not drawn yet: its first slice may hold the driver's compile time.
-    pub is_probe: bool,
+    is_probe: bool,
+    /// The most pixels that go at once, since those before have shown that so many do.
+    reach: u32,
 }
+
+/// No slice of a picture takes much longer.
+const SLICE: Duration = Duration::from_millis(60);
+/// Pixels of the first slice that a pipeline draws: nobody knows what they cost.
+const FIRST: u32 = 512;
+/// A slice may have so many times the pixels of those before.
+const GROWTH: u32 = 8;
 
 impl Pace {
     pub fn new(is_software: bool) -> Self {
-        Self { nanos_per_pixel: if is_software { 150.0 } else { 10.0 }, is_probe: true }
+        let nanos_per_pixel = if is_software { 150.0 } else { 10.0 };
+        Self { nanos_per_pixel, is_probe: true, reach: FIRST }
+    }
+
+    /// Another pipeline is about to draw.
+    pub fn probe(&mut self) {
+        self.is_probe = true;
+        self.reach = FIRST;
     }
 
     /// Screen pixels to one of a picture that is drawn within `prompt`.
@@ -21,11 +37,14 @@ impl Pace {
         (predicted.sqrt().ceil() as u32).clamp(1, 8)
     }
 
-    /// The rows of a picture `width` wide that are drawn within `slice`, at least one.
-    pub fn rows(&self, width: u32, slice: Duration) -> u32 {
-        let row = self.nanos_per_pixel * f64::from(width);
-        let rows = if self.is_probe { 2 } else { (slice.as_nanos() as f64 / row) as u32 };
-        rows.max(1)
+    /// The pixels of the next slice.
+    pub fn pixels(&self) -> u32 {
+        ((SLICE.as_nanos() as f64 / self.nanos_per_pixel) as u32).clamp(1, self.reach)
+    }
+
+    /// What so many pixels take.
+    pub fn time(&self, pixels: u32) -> Duration {
+        Duration::from_nanos((self.nanos_per_pixel * f64::from(pixels)) as u64)
     }
 
     /// So many pixels took `time`.
@@ -33,6 +52,10 @@ impl Pace {
         if !self.is_probe {
             let nanos = time.as_nanos() as f64 / f64::from(pixels);
             self.nanos_per_pixel = 0.5 * (self.nanos_per_pixel + nanos);
+            self.reach = match time <= SLICE {
+                true => self.reach.max(pixels.saturating_mul(GROWTH)),
+                false => ((SLICE.as_nanos() as f64 / nanos) as u32).max(1),
+            };
         }
         self.is_probe = false;
     }

@@ -16,6 +16,7 @@ use super::messages::{Notice, Wish};
 use super::open::Open;
 use super::panel::Panel;
 use super::settings::{Memory, Theme};
+use super::trial::Trial;
 use super::{Options, Remote};
 use crate::diagnostic::{Diagnostic, Report, Severity};
 use crate::gpu::GpuError;
@@ -55,7 +56,12 @@ impl App<'_> {
             .with_title("raytoy")
             .with_inner_size(winit::dpi::LogicalSize::new(width, height));
         let window = Arc::new(event_loop.create_window(attributes).map_err(|e| e.to_string())?);
-        let engine = self.engine(&window, event_loop, 0, &self.options.scene, memory.kept().theme)?;
+        let engine = self.engine(
+            &window,
+            event_loop,
+            0,
+            (&self.options.scene, Trial::default(), memory.kept().theme),
+        )?;
         let panel = Panel::new(&self.options.scene, engine.adapter(), memory.kept().clone());
         (self.on_event)(&Event::Opened { adapter: engine.adapter() });
         Ok(Open::new(window, engine, 0, panel, memory))
@@ -67,31 +73,28 @@ impl App<'_> {
         window: &Arc<Window>,
         event_loop: &ActiveEventLoop,
         number: u32,
-        scene: &Path,
-        theme: Theme,
+        begun: (&Path, Trial, Theme),
     ) -> Result<Engine, String> {
         let proxy = self.proxy.clone();
         // A loop that has ended wants no more news.
         let notify = move |notice| drop(proxy.send_event((number, notice)));
-        Engine::start(
-            window,
-            event_loop.owned_display_handle(),
-            &self.options.adapter,
-            (scene, theme),
-            notify,
-        )
+        Engine::start(window, event_loop.owned_display_handle(), &self.options.adapter, begun, notify)
     }
 
     /// Goes on with another device in place of one that is lost. What the author has done stays.
     fn restart(&mut self, event_loop: &ActiveEventLoop, why: String) {
         let Some(open) = self.open.take() else { return };
-        let Open { window, engine, restarts, vain, mut panel, memory: kept, .. } = open;
+        let Open { window, engine, restarts, vain, mut trial, mut panel, memory: kept, .. } = open;
+        trial.fail(&why);
         let memory = engine.context.memory(Clone::clone);
         // The surface has to let go of the window before another one takes it.
         drop(engine);
         let number = restarts + 1;
         let started = match vain < MOST_IN_VAIN {
-            true => self.engine(&window, event_loop, number, panel.scene(), panel.settings.theme),
+            true => {
+                let begun = (panel.scene(), trial.clone(), panel.settings.theme);
+                self.engine(&window, event_loop, number, begun)
+            }
             false => Err(format!("the GPU is lost again and again: {why}")),
         };
         match started {
@@ -102,7 +105,8 @@ impl App<'_> {
                 }
                 window.request_redraw();
                 (self.on_event)(&Event::Restarted { adapter: engine.adapter(), why });
-                self.open = Some(Open { vain: vain + 1, ..Open::new(window, engine, number, panel, kept) });
+                let open = Open::new(window, engine, number, panel, kept);
+                self.open = Some(Open { vain: vain + 1, trial, ..open });
             }
             Err(why) => {
                 self.failure = Some(why);
@@ -169,6 +173,11 @@ impl ApplicationHandler<(u32, Notice)> for App<'_> {
                 Notice::Unchanged(warnings) => {
                     (app.on_event)(&Event::Unchanged);
                     open.panel.mend(&warnings);
+                }
+                Notice::Mended(warnings) => open.panel.mend(&warnings),
+                Notice::Tries(compiled) => {
+                    open.trial.begin(compiled);
+                    return (app.on_event)(&Event::Begun);
                 }
                 Notice::File(text) => {
                     let _ = open.engine.builder.send(open.panel.file_says(&text));

@@ -151,7 +151,14 @@ impl std::fmt::Display for CaptureError {
     }
 }
 
-impl std::error::Error for CaptureError {}
+impl std::error::Error for CaptureError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            CaptureError::Gpu(error) => Some(error),
+            _ => None,
+        }
+    }
+}
 
 /// What follows the last dot of a file's name, in lower case.
 fn extension(path: &Path) -> String {

@@ -34,6 +34,13 @@ pub fn run(options: &DiffOptions) -> Result {
                 let _ = progress(share);
             })
         });
+        let picture = picture.map_err(|error| match (Failure::from(error), options.exit_code) {
+            (Failure::Endless(report), true) => {
+                print_report(&report);
+                Failure::Call("what is wrong cannot be compared".into())
+            }
+            (failure, _) => failure,
+        });
         difference.picture = Some(picture?);
         difference.adapter = Some(gpu.describe());
     }

@@ -24,6 +24,7 @@ use clap::{CommandFactory, Parser};
 use self::args::{Arguments, Command};
 use crate::capture::write_file;
 use crate::diagnostic::{Report, Severity};
+use crate::gpu::GpuError;
 use crate::library::Family;
 use crate::sources::Sources;
 use crate::wgsl::Mode;
@@ -33,15 +34,22 @@ use crate::{Compiled, compile};
 pub enum Failure {
     /// A scene is wrong, a test failed, or the code is to say that scenes differ: all has been printed.
     Scene,
+    /// A scene turned out to be wrong while it was drawn: what to tell.
+    Endless(Report),
     /// The call is wrong, or the machine: what to tell.
     Call(String),
 }
 
 type Result<T = ()> = std::result::Result<T, Failure>;
 
-impl<E: std::error::Error> From<E> for Failure {
+impl<E: std::error::Error + 'static> From<E> for Failure {
     fn from(error: E) -> Self {
-        Failure::Call(error.to_string())
+        let causes = std::iter::successors(Some(&error as &dyn std::error::Error), |error| error.source());
+        let mut reports = causes.filter_map(|cause| match cause.downcast_ref() {
+            Some(GpuError::Endless(report)) => Some(report.clone()),
+            _ => None,
+        });
+        reports.next().map_or_else(|| Failure::Call(error.to_string()), Failure::Endless)
     }
 }
 
@@ -66,6 +74,10 @@ pub fn run() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(Failure::Scene) => ExitCode::from(1),
+        Err(Failure::Endless(report)) => {
+            print_report(&report);
+            ExitCode::from(1)
+        }
         Err(Failure::Call(why)) => {
             eprintln!("raytoy: {why}");
             ExitCode::from(2)

@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::args::RenderOptions;
 use super::stats::Stats;
-use super::{Failure, Result, compiled, frames, write_output};
+use super::{Failure, Result, compiled, frames, print_report, write_output};
 use crate::Compiled;
 use crate::capture::{self, Format, MovieFormat, Shot};
 use crate::gpu::{Gpu, Moment};
@@ -30,9 +30,15 @@ pub fn run(options: &RenderOptions) -> Result {
     let mut wrong = false;
     let mut all = vec![];
     for (scene, output) in scenes.iter().zip(&outputs) {
-        match compiled(scene, mode(options)) {
-            Ok(compiled) => all.push(draw(&shot(options, &gpu, &compiled), output)?),
+        let drawn =
+            compiled(scene, mode(options)).and_then(|compiled| draw(&shot(options, &gpu, &compiled), output));
+        match drawn {
+            Ok(stats) => all.push(stats),
             Err(Failure::Scene) => wrong = true,
+            Err(Failure::Endless(report)) => {
+                print_report(&report);
+                wrong = true;
+            }
             Err(other) => return Err(other),
         }
     }

@@ -4,6 +4,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Duration;
 
+use crate::diagnostic::Report;
+
 /// A device with its queue. Clones share both.
 #[derive(Clone, Debug)]
 pub struct Gpu {
@@ -34,6 +36,8 @@ pub enum GpuError {
     Refused(String),
     /// The device is gone or does not answer.
     Lost(String),
+    /// A loop of the author's did not end by itself: which.
+    Endless(Report),
 }
 
 impl std::fmt::Display for GpuError {
@@ -42,6 +46,7 @@ impl std::fmt::Display for GpuError {
             GpuError::NoAdapter(advice) => write!(f, "no GPU and no software driver was found\n{advice}"),
             GpuError::Refused(why) => write!(f, "the GPU's driver refuses: {why}"),
             GpuError::Lost(why) => write!(f, "the GPU does not answer: {why}"),
+            GpuError::Endless(report) => write!(f, "{report}"),
         }
     }
 }

@@ -53,7 +53,7 @@ impl Identity {
     ) -> Result<Self, GpuError> {
         let bare = ir::Render { max_bounces: 0, shadows: false, texture_filter: false, ..*render };
         let mut tracer = Tracer::new(gpu, size)?;
-        let mut slices = Slices::new(size[1]);
+        let mut slices = Slices::new();
         let mut values = |view| {
             tracer.restart();
             let moment = Moment { view, ..*moment };

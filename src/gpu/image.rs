@@ -73,7 +73,7 @@ impl Renderer {
         let pipeline = Pipeline::build(gpu, compiled)?;
         let pipeline_time = start.elapsed();
         let tracer = Tracer::new(gpu, size)?;
-        let slices = Slices::new(size[1]);
+        let slices = Slices::new();
         let format = wgpu::TextureFormat::Rgba8Unorm;
         let display = Display::new(gpu, format);
         let canvas = display.canvas(tracer.picture(), format);
@@ -91,7 +91,7 @@ impl Renderer {
     /// and says whether to go on; where it stops, there is no picture.
     ///
     /// # Errors
-    /// Where the driver stops to answer.
+    /// Where a loop of the author's had to be ended, or the driver stops to answer.
     pub fn draw(
         &mut self,
         moment: &Moment,

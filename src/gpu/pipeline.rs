@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::assets::{Assets, check_models};
+use super::guard::Guard;
 use super::{Gpu, GpuError};
 use crate::Compiled;
 use crate::wgsl::Mode;
@@ -18,6 +19,7 @@ pub struct Pipeline {
     pub(super) layout: wgpu::BindGroupLayout,
     pub(super) numbers: Option<wgpu::Buffer>,
     pub(super) assets: Option<Assets>,
+    pub(super) guard: Option<Guard>,
     /// Bodies of the scene that cast shadows: they are text, so an upload does not change them.
     pub(super) casters: u32,
 }
@@ -30,7 +32,16 @@ impl Pipeline {
     pub fn build(gpu: &Gpu, compiled: &Compiled) -> Result<Self, GpuError> {
         check_numbers(gpu, compiled)?;
         check_models(gpu, &compiled.scene)?;
+        Guard::check(gpu, compiled)?;
         checked(gpu, || make(gpu, compiled))
+    }
+
+    /// Waits until what it draws is there.
+    ///
+    /// # Errors
+    /// Where a loop of the author's had to be ended, or the device stops to answer.
+    pub fn finish(&self, gpu: &Gpu) -> Result<(), GpuError> {
+        self.guard.as_ref().map_or_else(|| gpu.wait(), |guard| guard.verdict(gpu))
     }
 
     /// Replaces the scene's numbers by those of a scene with the same text.
@@ -129,6 +140,8 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
     let numbers = numbers_buffer(gpu, compiled);
     let mut entries = vec![frame, super::display::texture_entry(1)];
     entries.extend(numbers.iter().map(|n| uniform_entry(2, n.size(), stage)));
+    let guard = Guard::new(gpu, compiled);
+    entries.extend(guard.iter().map(|_| Guard::layout(stage)));
     let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("scene"),
         entries: &entries,
@@ -143,5 +156,5 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
         FORMAT,
     );
     let casters = compiled.scene.bodies.iter().filter(|body| body.casts_shadow).count() as u32;
-    Pipeline { pipeline, layout, numbers, assets, casters }
+    Pipeline { pipeline, layout, numbers, assets, guard, casters }
 }

@@ -8,6 +8,7 @@ use glam::{Vec2, Vec3};
 
 use super::assets::{Assets, check_models};
 use super::batches::{Kernel, Scene};
+use super::guard::Guard;
 use super::pipeline::{self, checked};
 use super::uniforms::Frame;
 use super::{Gpu, GpuError, Moment};
@@ -21,6 +22,7 @@ pub struct Probe {
     rays: Kernel,
     scene: Scene,
     numbers: Option<wgpu::Buffer>,
+    guard: Option<Guard>,
 }
 
 /// A point of an object, as its textures see it. Lengths are scene units.
@@ -90,6 +92,8 @@ impl Probe {
             let mut entries = vec![pipeline::uniform_entry(0, size_of::<Frame>() as u64, stage)];
             let numbers = pipeline::numbers_buffer(gpu, compiled);
             entries.extend(numbers.iter().map(|n| pipeline::uniform_entry(2, n.size(), stage)));
+            let guard = Guard::new(gpu, &probed);
+            entries.extend(guard.iter().map(|_| Guard::layout(stage)));
             let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
                 label: Some("probe"),
                 entries: &entries,
@@ -100,6 +104,7 @@ impl Probe {
             let bound = bound.into_iter().filter_map(|(binding, buffer)| {
                 Some(wgpu::BindGroupEntry { binding, resource: buffer?.as_entire_binding() })
             });
+            let bound = bound.chain(guard.iter().map(Guard::entry));
             let values = device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("probe"),
                 layout: &layout,
@@ -110,7 +115,7 @@ impl Probe {
             let kernel = |entry| Kernel::new(gpu, &module, layouts, entry);
             let (materials, rays) = (kernel("probeMaterials"), kernel("probeRays"));
             let scene = Scene { values, assets };
-            Self { gpu: gpu.clone(), materials, rays, scene, numbers }
+            Self { gpu: gpu.clone(), materials, rays, scene, numbers, guard }
         })
     }
 
@@ -125,22 +130,30 @@ impl Probe {
     /// is black.
     ///
     /// # Errors
-    /// Where the device stops to answer.
+    /// Where a loop of the author's had to be ended, or the device stops to answer.
     pub fn materials(&self, points: &[SurfacePoint]) -> Result<Vec<Look>, GpuError> {
         let answer = |a: &LookAnswer| Look { color: a.color, emission: a.emission };
-        self.materials.ask(&self.gpu, &self.scene, points, PointQuestion::of, answer)
+        let looks = self.materials.ask(&self.gpu, &self.scene, points, PointQuestion::of, answer)?;
+        self.verdict()?;
+        Ok(looks)
     }
 
     /// Where `rays` meet the scene first, one answer for each; None where a ray meets nothing.
     ///
     /// # Errors
-    /// Where the device stops to answer.
+    /// Where a loop of the author's had to be ended, or the device stops to answer.
     pub fn rays(&self, rays: &[Ray]) -> Result<Vec<Option<Crossing>>, GpuError> {
         let answer = |a: &CrossingAnswer| {
             let CrossingAnswer { position, t, normal, object, uv, .. } = *a;
             (object != NO_OBJECT).then_some(Crossing { t, object, position, normal, uv })
         };
-        self.rays.ask(&self.gpu, &self.scene, rays, |ray| *ray, answer)
+        let crossings = self.rays.ask(&self.gpu, &self.scene, rays, |ray| *ray, answer)?;
+        self.verdict()?;
+        Ok(crossings)
+    }
+
+    fn verdict(&self) -> Result<(), GpuError> {
+        self.guard.as_ref().map_or(Ok(()), |guard| guard.verdict(&self.gpu))
     }
 }
 

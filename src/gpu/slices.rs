@@ -1,15 +1,15 @@
-//! A sample drawn in slices of rows, so that no submit keeps the GPU for long.
+//! A sample drawn in slices, so that no submit keeps the GPU for long.
 
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use super::{Gpu, GpuError, Moment, Pipeline, Tracer};
+use super::{Gpu, GpuError, Moment, Pipeline, Region, Tracer};
 use crate::ir;
 
-/// How many rows go at once, learned from those before.
+/// How many pixels go at once, learned from those before.
 #[derive(Debug)]
 pub(super) struct Slices {
-    rows: u32,
+    pixels: u32,
     is_first: bool,
 }
 
@@ -25,18 +25,19 @@ pub(super) struct Subject<'a> {
 /// A submit that keeps the GPU for longer than this is cut into shorter ones.
 const SLICE: Duration = Duration::from_millis(100);
 
+/// The first slice is small: nobody knows what a pixel costs, and on a software driver it also compiles.
+const FIRST: u32 = 512;
+
 impl Slices {
-    /// For pictures that are `height` rows high.
-    pub fn new(height: u32) -> Self {
-        // The first slice is small: on a software driver it also compiles.
-        Self { rows: (height / 16).max(1), is_first: true }
+    pub fn new() -> Self {
+        Self { pixels: FIRST, is_first: true }
     }
 
-    /// Draws all rows of the next sample, and makes it count. `progress` is told the share done, 0 to 1, and
+    /// Draws all of the next sample, and makes it count. `progress` is told the share done, 0 to 1, and
     /// says whether to go on; what is returned says the same.
     ///
     /// # Errors
-    /// Where the device stops to answer.
+    /// Where a loop of the author's had to be ended, or the device stops to answer.
     pub fn draw(
         &mut self,
         tracer: &mut Tracer,
@@ -45,19 +46,20 @@ impl Slices {
         progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
     ) -> Result<ControlFlow<()>, GpuError> {
         let Subject { gpu, pipeline, render, moment } = subject;
-        let height = tracer.size()[1];
-        let mut row = 0;
-        while row < height {
+        let size = tracer.size();
+        let all = size[0] * size[1];
+        let mut done = 0;
+        while done < all {
             let begun = Instant::now();
-            let end = (row + self.rows).min(height);
-            tracer.draw(pipeline, moment, render, jitter, row..end);
-            gpu.wait()?;
+            let region = Region::after(done, self.pixels, size);
+            tracer.draw(pipeline, moment, render, jitter, &region);
+            pipeline.finish(gpu)?;
             if !self.is_first {
-                self.rows = next_slice(end - row, begun.elapsed());
+                self.pixels = next_slice(region.pixels(), begun.elapsed());
             }
             self.is_first = false;
-            row = end;
-            if progress(row as f32 / height as f32).is_break() {
+            done += region.pixels();
+            if progress(done as f32 / all as f32).is_break() {
                 return Ok(ControlFlow::Break(()));
             }
         }
@@ -66,8 +68,8 @@ impl Slices {
     }
 }
 
-/// The rows that fit into [`SLICE`] where `rows` took `time`.
-fn next_slice(rows: u32, time: Duration) -> u32 {
-    let fitting = f64::from(rows) * SLICE.as_secs_f64() / time.as_secs_f64().max(1e-6);
-    (fitting as u32).clamp(1, rows.saturating_mul(4))
+/// The pixels that fit into [`SLICE`] where `pixels` took `time`.
+fn next_slice(pixels: u32, time: Duration) -> u32 {
+    let fitting = f64::from(pixels) * SLICE.as_secs_f64() / time.as_secs_f64().max(1e-6);
+    (fitting as u32).clamp(1, pixels.saturating_mul(4).max(FIRST))
 }

@@ -1,10 +1,9 @@
 //! A picture that gathers samples, drawn in slices so that no submit keeps the GPU for long.
 
-use std::ops::Range;
-
+use super::guard::Guard;
 use super::pipeline::{FORMAT, uniform_buffer};
 use super::uniforms::Frame;
-use super::{Gpu, GpuError, Moment, Pipeline};
+use super::{Gpu, GpuError, Moment, Pipeline, Region};
 use crate::ir;
 
 /// Two textures, of which one holds the samples so far and the other takes the next.
@@ -68,14 +67,14 @@ impl Tracer {
         &self.textures[(self.samples as usize + 1) % 2]
     }
 
-    /// Draws rows of the next sample. Once all rows are drawn, [`Tracer::next`] makes it count.
+    /// Draws a part of the next sample. Once all parts are drawn, [`Tracer::next`] makes it count.
     pub fn draw(
         &mut self,
         pipeline: &Pipeline,
         moment: &Moment,
         render: &ir::Render,
         jitter: [f32; 2],
-        rows: Range<u32>,
+        region: &Region,
     ) {
         let Gpu { device, queue, .. } = &self.gpu;
         let frame = Frame::new(moment, render, pipeline.casters, self.size(), self.samples, jitter);
@@ -90,6 +89,7 @@ impl Tracer {
         if let Some(numbers) = &pipeline.numbers {
             entries.push(wgpu::BindGroupEntry { binding: 2, resource: numbers.as_entire_binding() });
         }
+        entries.extend(pipeline.guard.iter().map(Guard::entry));
         let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("scene"),
             layout: &pipeline.layout,
@@ -103,7 +103,8 @@ impl Tracer {
             if let Some(assets) = &pipeline.assets {
                 pass.set_bind_group(1, &assets.group, &[]);
             }
-            pass.set_scissor_rect(0, rows.start, self.size()[0], rows.end - rows.start);
+            let Region { columns, rows } = region;
+            pass.set_scissor_rect(columns.start, rows.start, columns.len() as u32, rows.len() as u32);
             pass.draw(0..3, 0..1);
         }
         queue.submit([encoder.finish()]);

@@ -96,7 +96,10 @@ impl From<Report> for Problem {
 
 impl From<GpuError> for Problem {
     fn from(error: GpuError) -> Self {
-        Problem::Gpu(error)
+        match error {
+            GpuError::Endless(report) => Problem::Mistakes(report),
+            error => Problem::Gpu(error),
+        }
     }
 }
 

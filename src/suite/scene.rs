@@ -72,7 +72,10 @@ impl Test<'_> {
         if settings.picture
             && let Err(error) = self.compare_picture(&compiled, settings)
         {
-            self.fail(Failure::Obstacle(error.to_string()));
+            self.fail(match error {
+                GpuError::Endless(report) => Failure::Mistakes(report.to_string()),
+                error => Failure::Obstacle(error.to_string()),
+            });
         }
     }
 

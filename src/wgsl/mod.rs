@@ -24,7 +24,7 @@ use self::names::Names;
 use self::numbers::Numbers;
 pub use self::sections::Host;
 use crate::ir;
-use crate::library::Function;
+use crate::library::{Function, built_in};
 
 /// What becomes of a scene's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +52,13 @@ pub struct Section {
     pub text: Arc<str>,
 }
 
+impl Section {
+    /// Whether it is a file of raytoy's own, as that is: an author's may have the same name.
+    pub fn ships(&self) -> bool {
+        built_in(&self.name).is_some_and(|text| text == &*self.text)
+    }
+}
+
 impl Source {
     /// The module, ready for naga.
     pub fn text(&self) -> String {
@@ -67,6 +74,11 @@ impl Source {
     pub fn with_probe(mut self) -> Self {
         self.sections.push(sections::probe());
         self
+    }
+
+    /// Whether it has shaders/guard.wgsl, and loops that have to ask it.
+    pub fn is_guarded(&self) -> bool {
+        self.sections.iter().any(|section| section.name == sections::GUARD)
     }
 
     /// Whether a picture of it depends on the time.

@@ -15,8 +15,10 @@ const OF_ANY_HOST: [&str; 4] = ["standalone", "cover", "unviewed", "tone"];
 const OF_SHADERTOY: [&str; 3] = ["shadertoy", "unviewed", "tone"];
 
 /// Files in shaders/ that are no part of a picture's shader.
-const APART: [&str; 3] = ["display", "lines", "probe"];
+const APART: [&str; 4] = ["display", "guard", "lines", "probe"];
 const PROBE: &str = "shaders/probe.wgsl";
+/// What ends the loops of the author's.
+pub const GUARD: &str = "shaders/guard.wgsl";
 
 /// Who draws with a module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +57,10 @@ pub fn needed(own: &Section, used: &[Arc<Function>], host: Host) -> Vec<Section>
         let name = format!("shaders/{stem}.wgsl");
         sections.push(section(&name, built_in(&name).expect("the lists name files in shaders/")));
     }
+    let may_loop_for_ever = |section: &Section| !section.ships() && has_loop(&section.text);
+    if host == Host::Raytoy && sections.iter().any(may_loop_for_ever) {
+        sections.push(section(GUARD, built_in(GUARD).expect("it ships with raytoy")));
+    }
     sections
 }
 
@@ -74,6 +80,13 @@ fn shared() -> impl Iterator<Item = (&'static str, &'static str)> {
         let named = [&CORE[..], &OF_RAYTOY, &OF_ANY_HOST, &OF_SHADERTOY, &APART];
         stem.is_some_and(|s| !s.contains('/') && !named.iter().any(|list| list.contains(&s)))
     })
+}
+
+/// Whether a word of the text begins a loop; one in a comment of several lines may count, too.
+fn has_loop(text: &str) -> bool {
+    let code = text.lines().map(|line| line.split("//").next().unwrap_or(line));
+    let mut words = code.flat_map(|line| line.split(|c: char| !c.is_alphanumeric() && c != '_'));
+    words.any(|word| matches!(word, "for" | "loop" | "while"))
 }
 
 fn functions_in(text: &str) -> impl Iterator<Item = &str> {

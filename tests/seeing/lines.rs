@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3, vec2};
 use raytoy::Compiled;
-use raytoy::gpu::{Display, Gpu, Lens, Line, Lines, Moment, Pipeline, Target, Tracer};
+use raytoy::gpu::{Display, Gpu, Lens, Line, Lines, Moment, Pipeline, Region, Target, Tracer};
 
 use crate::common;
 
@@ -20,7 +20,8 @@ fn drawn(gpu: &Gpu, compiled: &Compiled, size: [u32; 2], place: Target, lines: &
     let pipeline = Pipeline::build(gpu, compiled).unwrap_or_else(|e| panic!("{e}"));
     let mut tracer = Tracer::new(gpu, SIZE).unwrap_or_else(|e| panic!("{e}"));
     let scene = &compiled.scene;
-    tracer.draw(&pipeline, &Moment::of(scene), &scene.render, [0.0; 2], 0..SIZE[1]);
+    let all = Region::after(0, SIZE[0] * SIZE[1], SIZE);
+    tracer.draw(&pipeline, &Moment::of(scene), &scene.render, [0.0; 2], &all);
     tracer.next();
     let display = Display::new(gpu, FORMAT);
     let target = Tracer::new(gpu, size).unwrap_or_else(|e| panic!("{e}"));

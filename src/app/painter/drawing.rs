@@ -2,10 +2,10 @@
 
 use std::time::{Duration, Instant};
 
-use super::{Painter, SAMPLES, SLICE};
+use super::{Painter, SAMPLES};
 use crate::Compiled;
 use crate::app::messages::{Notice, Picture};
-use crate::gpu::{GpuError, Identity, Moment, Tracer, sample_offset};
+use crate::gpu::{GpuError, Identity, Moment, Region, Tracer, sample_offset};
 
 /// On a device of its own the painter lets the window show a picture first, but waits no longer than this.
 const COURTESY: Duration = Duration::from_millis(100);
@@ -30,28 +30,34 @@ impl Painter {
         Moment { camera, view: self.look.view, time: self.time, mouse }
     }
 
-    /// Draws a row that the next sample will draw over.
+    /// Draws a pixel that the next sample will draw over.
     pub(super) fn warm_up(&mut self) -> Result<(), GpuError> {
         let (Some(scene), Some(tracer)) = (&mut self.scene, &mut self.tracer) else { return Ok(()) };
         let Some(live) = &scene.live else { return Ok(()) };
         let compiled = &scene.version.compiled;
-        tracer.draw(live, &Moment::of(&compiled.scene), &compiled.scene.render, [0.0; 2], 0..1);
-        self.gpu.wait()?;
+        let row = Region::after(0, 1, tracer.size());
+        tracer.draw(live, &Moment::of(&compiled.scene), &compiled.scene.render, [0.0; 2], &row);
+        live.finish(&self.gpu)?;
         scene.is_warm = true;
         (self.notify)(Notice::Ready { pipelines: self.gpu.pipelines_made() });
         Ok(())
     }
 
+    /// Pixels, of the picture that is being drawn.
+    pub(super) fn picture_size(&self) -> [u32; 2] {
+        self.look.size.map(|n| n.div_ceil(self.coarseness))
+    }
+
     pub(super) fn draw_slice(&mut self) -> Result<(), GpuError> {
         let scene = self.scene.as_ref().expect("is_done has looked");
-        let size = self.look.size.map(|n| n.div_ceil(self.coarseness));
+        let size = self.picture_size();
         if self.tracer.as_ref().is_none_or(|t| t.size() != size) {
             self.tracer = Some(Tracer::new(&self.gpu, size)?);
-            self.rows_done = 0;
+            self.pixels_done = 0;
         }
-        let end = self.rows_done.saturating_add(self.pace.rows(size[0], SLICE)).min(size[1]);
+        let region = Region::after(self.pixels_done, self.pace.pixels(), size);
         let compiled = &scene.version.compiled;
-        if self.rows_done == 0 {
+        if self.pixels_done == 0 {
             self.sample_started = Instant::now();
             // All slices of a picture show one moment.
             self.time = if scene.moves { self.look.clock.time() } else { 0.0 };
@@ -60,12 +66,14 @@ impl Painter {
         let tracer = self.tracer.as_mut().expect("it was just made");
         let begun = Instant::now();
         let jitter = sample_offset(tracer.samples(), SAMPLES);
-        tracer.draw(scene.pipeline(), &moment, &compiled.scene.render, jitter, self.rows_done..end);
-        self.gpu.wait()?;
-        self.pace.learn(size[0] * (end - self.rows_done), begun.elapsed());
-        self.rows_done = end;
-        if end == size[1] {
+        tracer.draw(scene.pipeline(), &moment, &compiled.scene.render, jitter, &region);
+        scene.pipeline().finish(&self.gpu)?;
+        self.pace.learn(region.pixels(), begun.elapsed());
+        self.pixels_done += region.pixels();
+        if self.pixels_done == size[0] * size[1] {
             self.finish_sample()?;
+        } else if let Some(report) = self.too_slow() {
+            self.refuse(report);
         }
         Ok(())
     }
@@ -73,11 +81,14 @@ impl Painter {
     fn finish_sample(&mut self) -> Result<(), GpuError> {
         let tracer = self.tracer.as_mut().expect("it has drawn a sample");
         tracer.next();
-        self.rows_done = 0;
+        self.pixels_done = 0;
         let samples = tracer.samples();
         let frame_time = self.sample_started.elapsed();
         let is_first = samples == 1;
         let is_last = samples == SAMPLES;
+        if is_first && (self.coarseness == 1 || self.is_moving()) {
+            self.prove();
+        }
         if is_first || is_last || self.shown.elapsed() > Duration::from_millis(100) {
             self.show(samples, frame_time)?;
         }
@@ -110,7 +121,7 @@ impl Painter {
             frame_time,
             moves: scene.moves,
             compiled: version.compiled.clone(),
-            warnings: version.warnings.clone(),
+            warnings: self.refusal.as_ref().unwrap_or(&version.warnings).clone(),
         }));
         Ok(())
     }

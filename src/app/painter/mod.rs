@@ -2,7 +2,9 @@
 //! are heard within a tenth of a second.
 
 mod drawing;
+mod refusal;
 
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
@@ -12,10 +14,9 @@ use super::easel::Easel;
 use super::events::Change;
 use super::messages::{Clock, Look, Notice, Wish};
 use super::pace::Pace;
-use crate::gpu::{Gpu, Tracer, View};
+use crate::diagnostic::Report;
+use crate::gpu::{Gpu, GpuError, Tracer, View};
 
-/// No slice of a picture takes much longer.
-const SLICE: Duration = Duration::from_millis(60);
 /// A picture that takes longer than this to draw starts coarse.
 const PROMPT: Duration = Duration::from_millis(50);
 /// The same for one whose pipeline the author has waited for already.
@@ -37,6 +38,7 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
             clock,
             gizmos: false,
             asks: false,
+            patient: false,
         };
         let mut painter = Painter {
             easel: Easel::new(&gpu, shares_device),
@@ -44,10 +46,14 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
             shares_device,
             notify: Box::new(notify),
             scene: None,
+            former: None,
+            refused: None,
+            refusal: None,
+            is_stuck: false,
             look,
             tracer: None,
             coarseness: 1,
-            rows_done: 0,
+            pixels_done: 0,
             is_told: false,
             sample_started: Instant::now(),
             pace: Pace::new(!shares_device),
@@ -66,12 +72,20 @@ struct Painter {
     shares_device: bool,
     easel: Easel,
     notify: Box<dyn Fn(Notice)>,
+    /// What is drawn.
     scene: Option<Drawable>,
+    /// The version before that was proven, until this one is.
+    former: Option<Drawable>,
+    /// The newest version, where `scene` is an older one in its place; and what is wrong with the newest.
+    refused: Option<Drawable>,
+    refusal: Option<Report>,
+    /// Whether the scene is not to be drawn until something changes.
+    is_stuck: bool,
     look: Look,
     tracer: Option<Tracer>,
     /// Screen pixels to one of the picture being drawn.
     coarseness: u32,
-    rows_done: u32,
+    pixels_done: u32,
     /// Whether the window knows what lies under each pixel, as far as it has asked.
     is_told: bool,
     sample_started: Instant,
@@ -109,9 +123,10 @@ impl Painter {
             } else {
                 self.draw_slice()
             };
-            if let Err(error) = done {
-                (self.notify)(Notice::Failed(error));
-                return;
+            match done {
+                Ok(()) => {}
+                Err(GpuError::Endless(report)) => self.refuse(report),
+                Err(error) => return (self.notify)(Notice::Failed(error)),
             }
         }
     }
@@ -123,7 +138,7 @@ impl Painter {
         let complete = self.tracer.as_ref().is_some_and(|t| t.samples() >= SAMPLES) && self.coarseness == 1;
         let is_visible = !self.look.size.contains(&0);
         let is_owed = self.is_moving() || self.needs_warming() || self.needs_telling();
-        self.is_held || !is_visible || (complete && !is_owed)
+        self.is_held || self.is_stuck || !is_visible || (complete && !is_owed)
     }
 
     /// Whether the picture changes by itself.
@@ -135,14 +150,14 @@ impl Painter {
     /// Whether a live pipeline waits for its first draw, and the author already sees the scene.
     fn needs_warming(&self) -> bool {
         let Some(scene) = &self.scene else { return false };
-        let is_settled = self.rows_done == 0 && (self.coarseness == 1 || self.is_moving());
+        let is_settled = self.pixels_done == 0 && (self.coarseness == 1 || self.is_moving());
         is_settled && scene.is_shown && scene.live.is_some() && !scene.is_warm
     }
 
     /// Whether the window waits to know what lies under the pixels of a picture that it shows.
     fn needs_telling(&self) -> bool {
         let is_shown = self.scene.as_ref().is_some_and(|scene| scene.is_shown);
-        self.look.asks && !self.is_told && self.rows_done == 0 && is_shown
+        self.look.asks && !self.is_told && self.pixels_done == 0 && is_shown
     }
 
     fn grant(&mut self, wish: Wish) {
@@ -164,6 +179,9 @@ impl Painter {
                 let is_other =
                     look != Look { corner, mouse, clock, asks, ..before } || reads_mouse || reads_clock;
                 self.look = look;
+                if look.patient && !before.patient {
+                    self.retry();
+                }
                 if is_other {
                     self.restart(PROMPT);
                 }
@@ -176,8 +194,8 @@ impl Painter {
             Wish::Built(Built::Broken(report)) => (self.notify)(Notice::Broken(report)),
             Wish::Built(Built::Scene(version)) => self.take(version),
             Wish::Built(Built::Live(pipeline)) => {
-                if let Some(scene) = &mut self.scene {
-                    scene.live = Some(pipeline);
+                if let Some(scene) = self.refused.as_mut().or(self.scene.as_mut()) {
+                    scene.live = Some(Arc::new(pipeline));
                     scene.is_warm = false;
                 }
             }
@@ -186,28 +204,28 @@ impl Painter {
 
     fn take(&mut self, version: Box<Version>) {
         if version.change == Change::Cosmetic {
-            return (self.notify)(Notice::Unchanged(version.warnings));
+            let report = self.refusal.clone().unwrap_or(version.warnings);
+            return (self.notify)(Notice::Unchanged(report));
         }
         self.waits_until = None;
         let has_pipeline = version.baked.is_some();
-        self.pace.is_probe |= has_pipeline;
-        let scene = Drawable::new(version, self.scene.take());
-        if let Some(live) = &scene.live {
-            live.upload(&self.gpu, &scene.version.compiled.source.numbers);
+        if has_pipeline {
+            self.pace.probe();
         }
-        self.scene = Some(scene);
+        self.replace(version);
         self.restart(if has_pipeline { PROMPT_EDIT } else { PROMPT });
     }
 
     /// Begins a new picture, coarse where a fine one would keep the window waiting.
     fn restart(&mut self, prompt: Duration) {
         self.is_told = false;
+        self.is_stuck = false;
         self.begin(self.pace.coarseness(self.look.size, prompt));
     }
 
     fn begin(&mut self, coarseness: u32) {
         self.coarseness = coarseness;
-        self.rows_done = 0;
+        self.pixels_done = 0;
         if let Some(tracer) = &mut self.tracer {
             tracer.restart();
         }

@@ -46,7 +46,13 @@ impl Panel {
             self.menu_item(ui, Command::NewScene, deeds);
             self.menu_item(ui, Command::NewTexture, deeds);
             ui.separator();
-            for command in [Command::Gizmos, Command::OnlyThis, Command::Magnifier, Command::SavePicture] {
+            for command in [
+                Command::Gizmos,
+                Command::OnlyThis,
+                Command::Magnifier,
+                Command::Patience,
+                Command::SavePicture,
+            ] {
                 self.menu_item(ui, command, deeds);
             }
             ui.separator();

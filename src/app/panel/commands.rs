@@ -90,6 +90,7 @@ impl Panel {
             Command::OnlyThis => Some(self.focus != Focus::All),
             Command::Gizmos => Some(self.gizmos),
             Command::Magnifier => Some(self.magnifies),
+            Command::Patience => Some(self.patient),
             _ => None,
         }
     }
@@ -113,6 +114,7 @@ impl Panel {
             Command::NextView => self.change_view(1),
             Command::PreviousView => self.change_view(View::ALL.len() - 1),
             Command::Magnifier => self.magnifies = !self.magnifies,
+            Command::Patience => self.patient = !self.patient,
             Command::SavePicture => self.dialog.toggle(),
             Command::Pause => self.toggle_clock(),
             Command::StepBack => self.step(-1.0),

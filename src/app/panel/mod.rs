@@ -65,6 +65,8 @@ pub struct Panel {
     /// Whether lights, target and bounds are drawn over the picture.
     gizmos: bool,
     magnifies: bool,
+    /// Whether a picture may take as long as it does.
+    patient: bool,
     focus: Focus,
     picking: Picking,
     /// What was asked of the painter last.
@@ -133,6 +135,7 @@ impl Panel {
             mouse: [0.0; 2],
             gizmos: false,
             magnifies: false,
+            patient: false,
             focus: Focus::All,
             picking: Picking::default(),
             look: None,

@@ -43,6 +43,7 @@ impl Panel {
             clock: self.clock,
             gizmos: self.gizmos,
             asks: self.asks(),
+            patient: self.patient,
         };
         let Look { corner, mouse, asks, gizmos, .. } = look;
         if self.look.is_some_and(|before| Look { corner, mouse, asks, gizmos, ..before } != look) {

@@ -1,22 +1,32 @@
 //! naga's verdict on a generated module, told at the place in the file that it came from.
 //!
-//! In: a [`Source`]. Out: a [`Module`] that wgpu will take, or diagnostics.
+//! In: a [`Source`]. Out: a [`Module`] that wgpu will take, or diagnostics. Loops of the author's end in it.
+
+mod guard;
 
 use std::ops::Range;
 use std::sync::Arc;
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
-use crate::diagnostic::{Diagnostic, Place};
+use crate::diagnostic::{Diagnostic, Place, Report};
 use crate::wgsl::Source;
 
 /// A module that naga has parsed and validated.
 #[derive(Clone, Debug)]
-pub struct Module(Arc<naga::Module>);
+pub struct Module {
+    naga: Arc<naga::Module>,
+    loops: Arc<[Report]>,
+}
 
 impl Module {
     pub fn naga(&self) -> &naga::Module {
-        &self.0
+        &self.naga
+    }
+
+    /// What to tell of each loop that shaders/guard.wgsl may have to end, in the order of its numbers.
+    pub fn loops(&self) -> &Arc<[Report]> {
+        &self.loops
     }
 }
 
@@ -26,7 +36,7 @@ impl Module {
 /// The first mistake that naga finds, at its place in a file of the author's or of ours.
 pub fn validate(source: &Source) -> Result<Module, Diagnostic> {
     let text = source.text();
-    let module = naga::front::wgsl::parse_str(&text).map_err(|error| {
+    let mut module = naga::front::wgsl::parse_str(&text).map_err(|error| {
         let mut problem = Diagnostic::error(lower(error.message()));
         for (span, label) in error.labels() {
             if let Some(range) = span.to_range() {
@@ -35,6 +45,7 @@ pub fn validate(source: &Source) -> Result<Module, Diagnostic> {
         }
         explained(problem)
     })?;
+    let loops = if source.is_guarded() { guard::lay_into(&mut module, source) } else { vec![] };
     // The same that wgpu grants a shader on a device without optional features.
     let capabilities = Capabilities::default();
     Validator::new(ValidationFlags::all(), capabilities).validate(&module).map_err(|error| {
@@ -55,7 +66,7 @@ pub fn validate(source: &Source) -> Result<Module, Diagnostic> {
         }
         explained(problem)
     })?;
-    Ok(Module(Arc::new(module)))
+    Ok(Module { naga: Arc::new(module), loops: loops.into() })
 }
 
 fn place(source: &Source, range: Range<usize>) -> Place {
