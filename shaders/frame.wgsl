@@ -27,6 +27,12 @@ struct Frame {
     view: u32,
     /// Bodies that cast shadows.
     casters: u32,
+    /// The debug view right of the divider.
+    beside: u32,
+    /// Where that begins, pixels from the left.
+    divider: f32,
+    /// The number at which the colors of a view of numbers end.
+    reach: f32,
 }
 
 /// Nothing, but no driver knows it. Mesa's software driver compiles a shader again for each draw if plain

@@ -50,7 +50,7 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             if depth == 0u {
                 seen.depth = hit.t;
                 seen.object = hit.object;
-                seen.value = surfaceView(met, n, v, material.color, shaded.visibility);
+                seen.value = surfaceView(hit, met, n, v, material.color, shaded.visibility);
             }
 
             let mirror = mirrored(material, clamp(dot(n, v), 0.0, 1.0));

@@ -12,8 +12,12 @@ const VIEW_SHADOW: u32 = 8u;
 const VIEW_NAN: u32 = 9u;
 const VIEW_COST: u32 = 10u;
 const VIEW_FACING: u32 = 11u;
-const VIEW_PLACE: u32 = 12u;
-const VIEW_OUTWARD: u32 = 13u;
+const VIEW_VALUE: u32 = 12u;
+const VIEW_PLACE: u32 = 13u;
+const VIEW_OUTWARD: u32 = 14u;
+
+/// Which of them this pixel shows.
+var<private> pixel_view: u32;
 
 /// What VIEW_NAN marks broken light with, and the faces' colors of VIEW_FACING.
 const BROKEN: vec3f = vec3f(1.0, 0.0, 1.0);
@@ -47,14 +51,15 @@ fn isBroken(color: vec3f) -> bool {
 }
 
 /// What the views of a surface show of the first one that a pixel meets; `n` faces the viewer along `v`.
-fn surfaceView(met: Placed, n: vec3f, v: vec3f, albedo: vec3f, visibility: f32) -> vec3f {
-    switch frame.view + zero {
+fn surfaceView(hit: Hit, met: Placed, n: vec3f, v: vec3f, albedo: vec3f, visibility: f32) -> vec3f {
+    switch pixel_view {
         case VIEW_NORMAL: { return 0.5 + 0.5 * n; }
         case VIEW_POSITION: { return fract(met.at.world); }
         case VIEW_UV: { return vec3f(fract(met.at.uv), 0.0); }
         case VIEW_MATERIAL: { return albedo; }
         case VIEW_SHADOW: { return vec3f(visibility); }
         case VIEW_FACING: { return select(FRONT, BACK, dot(met.facet, v) < 0.0) * (0.3 + 0.7 * dot(n, v)); }
+        case VIEW_VALUE: { return vec3f(measuredAt(hit, met.at, dot(n, v))); }
         case VIEW_PLACE: { return vec3f(met.at.uv, 0.0); }
         case VIEW_OUTWARD: { return met.normal; }
         default: { return vec3f(0.0); }
@@ -64,7 +69,9 @@ fn surfaceView(met: Placed, n: vec3f, v: vec3f, albedo: vec3f, visibility: f32) 
 /// The picture's value of the chosen view, and the depth.
 fn viewed(seen: Seen) -> vec4f {
     let met = seen.object != NO_OBJECT;
-    switch frame.view + zero {
+    // Neighbours count too, and so it stands before the ways part.
+    let slope = fwidth(seen.value.x);
+    switch pixel_view {
         case VIEW_COLOR: { return vec4f(seen.radiance, seen.depth); }
         case VIEW_DEPTH: {
             return vec4f(vec3f(select(0.0, 1.0, met) / (1.0 + 0.1 * max(seen.depth, 0.0))), seen.depth);
@@ -80,6 +87,11 @@ fn viewed(seen: Seen) -> vec4f {
         }
         case VIEW_COST: {
             return vec4f(heatColor(min(log2(f32(max(work, 1u))) / MOST_DOUBLINGS, 1.0)), seen.depth);
+        }
+        case VIEW_VALUE: {
+            let color = signedColor(seen.value.x / frame.reach, slope / frame.reach);
+            let number = select(color, BROKEN, isBroken(seen.value));
+            return vec4f(select(vec3f(0.0), number, met), seen.depth);
         }
         case VIEW_PLACE: { return vec4f(seen.value.xy, f32(seen.object), seen.depth); }
         default: { return vec4f(seen.value, seen.depth); }

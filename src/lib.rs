@@ -83,6 +83,16 @@ impl Compiled {
         self.with_scene(scene, self.source.mode)
     }
 
+    /// The same scene with a number for the debug view `value`.
+    ///
+    /// # Errors
+    /// Where naga refuses that text although it took the other, since a file of the author's has a function
+    /// of the same name.
+    pub fn measuring(&self, measure: ir::Measure) -> Result<Self, Diagnostic> {
+        let scene = ir::Scene { measure: Some(measure), ..self.scene.clone() };
+        self.with_scene(scene, self.source.mode)
+    }
+
     fn with_scene(&self, scene: ir::Scene, mode: Mode) -> Result<Self, Diagnostic> {
         let source = wgsl::generate(&scene, mode);
         let module = on_deep_stack(|| module::validate(&source))?;

@@ -224,6 +224,53 @@ fn help_is_as_its_goldens_say() {
 }
 
 #[test]
+fn wrong_views_are_told() {
+    let mut told = String::new();
+    for call in [
+        "--split heat",
+        "--split-at 0.3",
+        "--split normal --split-at 1.5",
+        "--value pattern",
+        "--view value --reach 0",
+    ] {
+        let head = ["render", "scenes/table.ron", "-o", "a.png"];
+        let done = raytoy(&[&head, &call.split(' ').collect::<Vec<_>>()[..]].concat());
+        assert_eq!((done.status.code(), done.stdout.len()), (Some(2), 0), "{call}");
+        told += &format!("$ raytoy render scenes/table.ron -o a.png {call}\n{}\n", stderr(&done));
+    }
+    check_text("tests/cases/help/wrong_views.txt", &told).unwrap_or_else(|difference| panic!("{difference}"));
+}
+
+#[test]
+fn a_split_picture_is_both_and_says_so() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let draw = |name: &str, arguments: &[&str]| {
+        let file = folder.path().join(name).to_string_lossy().into_owned();
+        let scene = ["tests/cases/materials/bump.ron", "-o", file.as_str(), "--size", "40x20"];
+        render(&[&scene, arguments].concat());
+        (image::open(&file).expect("it is a picture").to_rgb8(), stderr(&raytoy(&["scene", &file])))
+    };
+    let (left, _) = draw("a.png", &[]);
+    let (right, _) = draw("b.png", &["--view", "value", "--value", "u", "--reach", "2"]);
+    let split = ["--split", "value", "--split-at", "0.25", "--value", "u", "--reach", "2"];
+    let (both, told) = draw("c.png", &split);
+    assert!(left != right);
+    for (x, y, pixel) in both.enumerate_pixels() {
+        let half = if x < 10 { &left } else { &right };
+        assert_eq!(pixel, half.get_pixel(x, y), "{x}, {y}");
+    }
+    let walnut = ["render", "--adapter", "software", "scenes/table.ron", "-o", "a.png", "--view", "value"];
+    let wrong = raytoy(&[&walnut[..], &["--value", "walnut"]].concat());
+    let names = "pattern, distance, facing, u, v, footprint, tiles";
+    let why = format!("raytoy: `scenes/table.ron` has no value `walnut`: it has {names}\n");
+    assert_eq!((wrong.status.code(), stderr(&wrong)), (Some(2), why));
+    assert!(told.contains("value from 0.25 on") && told.contains("u, to 2"), "{told}");
+}
+
+#[test]
 fn completions_are_for_the_shell_that_is_asked_for() {
     let bash = stdout(&raytoy(&["completions", "bash"]));
     assert!(bash.contains("_raytoy()") && bash.contains("generate"));

@@ -5,6 +5,8 @@ mod common;
 mod gizmos;
 #[path = "seeing/lines.rs"]
 mod lines;
+#[path = "seeing/views.rs"]
+mod views;
 
 use common::{expect_compiled, expect_none, outcome, outcome_of};
 use glam::{Vec2, Vec3, vec2};

@@ -47,7 +47,9 @@ const IMPORTS: [(&str, &[&str]); 22] = [
         &[
             "capture",
             "diagnostic",
+            "difference",
             "edit",
+            "export",
             "gpu",
             "ir",
             "library",

@@ -13,6 +13,7 @@ use super::focus::Focus;
 use super::trial::Trial;
 use crate::diagnostic::{Diagnostic, Report};
 use crate::gpu::{Gpu, Pipeline};
+use crate::ir::Measure;
 use crate::library::Library;
 use crate::outline::{self, Outline};
 use crate::scene;
@@ -31,6 +32,8 @@ pub enum Order {
     Edited(Option<Arc<str>>),
     /// The same, of which only this is to be seen.
     Focus(Focus),
+    /// The same, with the number of this name for the debug view `value`; None for none.
+    Measure(Option<String>),
     /// The last version is on the screen: there is time for its live pipeline.
     Shown,
     /// No more.
@@ -79,6 +82,7 @@ pub fn start(gpu: Gpu, trial: Trial, done: impl Fn(Built) + Send + 'static) -> S
             edited: None,
             file: None,
             focus: Focus::All,
+            measure: None,
             before: None,
             without_live: None,
             trial,
@@ -104,6 +108,7 @@ struct Builder {
     /// What that file held when it was last read.
     file: Option<Arc<str>>,
     focus: Focus,
+    measure: Option<String>,
     /// The last version that could be drawn.
     before: Option<Arc<Compiled>>,
     /// The same, while it has no live pipeline: that waits until the author sees the baked one.
@@ -142,8 +147,10 @@ impl Builder {
                     self.edited = None;
                     self.file = None;
                     self.focus = Focus::All;
+                    self.measure = None;
                 }
                 Order::Focus(focus) => self.focus = focus,
+                Order::Measure(name) => self.measure = name,
                 Order::Edited(text) => self.edited = text,
                 Order::Changed | Order::End => {}
                 Order::Shown => is_shown = true,
@@ -184,7 +191,7 @@ impl Builder {
             done(Built::Broken(outcome.report));
             return None;
         };
-        let compiled = match self.focus.of(compiled) {
+        let compiled = match self.focus.of(compiled).and_then(|compiled| self.measuring(compiled)) {
             Ok(compiled) => Arc::new(compiled),
             Err(problem) => {
                 done(Built::Broken(broken(problem)));
@@ -225,6 +232,12 @@ impl Builder {
             self.without_live = Some(compiled);
         }
         Some(change)
+    }
+
+    /// `compiled` with what is to be measured; the pattern where it has no number of that name.
+    fn measuring(&self, compiled: Compiled) -> Result<Compiled, Diagnostic> {
+        let Some(name) = &self.measure else { return Ok(compiled) };
+        compiled.measuring(Measure::named(&compiled.scene, name).unwrap_or(Measure::Pattern))
     }
 
     /// Tells what the scene's text offers to change, if it can be read.

@@ -19,6 +19,7 @@ pub enum Command {
     Gizmos,
     NextView,
     PreviousView,
+    SplitView,
     Magnifier,
     Patience,
     SavePicture,
@@ -45,7 +46,7 @@ pub struct Entry {
 }
 
 /// Every command once, group by group.
-pub const COMMANDS: [Entry; 23] = [
+pub const COMMANDS: [Entry; 24] = [
     entry(
         Command::NewScene,
         "Scene",
@@ -112,6 +113,13 @@ pub const COMMANDS: [Entry; 23] = [
         "show normals, depth and so on, one after another",
     ),
     entry(Command::PreviousView, "Picture", "Previous view", &[shift(Key::V)], "the same, backwards"),
+    entry(
+        Command::SplitView,
+        "Picture",
+        "Split view",
+        &[plain(Key::S)],
+        "show another view beside this one, with a divider to drag",
+    ),
     entry(
         Command::Magnifier,
         "Picture",

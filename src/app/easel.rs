@@ -2,7 +2,7 @@
 
 use super::messages::{FORMAT, Look, Texels};
 use crate::Compiled;
-use crate::gpu::{Display, Gpu, GpuError, Line, Lines, Target, Tracer, View, gizmo};
+use crate::gpu::{Display, Gpu, GpuError, Light, Line, Lines, Target, Tracer, gizmo};
 
 /// What turns samples into a picture.
 pub struct Easel {
@@ -25,8 +25,9 @@ impl Easel {
         let canvas = self.display.canvas(tracer.picture(), FORMAT);
         let target = canvas.create_view(&Default::default());
         let whole = Target { corner: [0.0; 2], zoom: 1.0 };
-        let light = (look.view == View::Color).then_some(&compiled.scene.render);
-        self.display.draw(tracer.picture(), light, &target, whole);
+        let columns = look.view.columns_of_light(look.split, tracer.size()[0]);
+        let light = Light { render: &compiled.scene.render, columns };
+        self.display.draw(tracer.picture(), Some(light), &target, whole);
         if look.gizmos {
             let camera = look.camera.unwrap_or(compiled.scene.camera);
             let lines: Vec<Line> = gizmo::lights(&compiled.scene, &camera)

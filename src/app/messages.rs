@@ -8,7 +8,7 @@ use super::builder::Built;
 use super::events::Change;
 use crate::Compiled;
 use crate::diagnostic::Report;
-use crate::gpu::{GpuError, Identity, View};
+use crate::gpu::{GpuError, Identity, Split, View};
 use crate::ir::Camera;
 use crate::outline::Outline;
 
@@ -22,6 +22,10 @@ pub struct Look {
     /// None for the scene's own.
     pub camera: Option<Camera>,
     pub view: View,
+    /// What lies over the right part of it.
+    pub split: Option<Split>,
+    /// The number at which the colors of [`View::Value`] end.
+    pub reach: f32,
     /// Pixels from the top left.
     pub mouse: [f32; 2],
     pub clock: Clock,

@@ -4,7 +4,7 @@ use std::io::Cursor;
 use std::path::Path;
 
 use super::Shot;
-use crate::gpu::Moment;
+use crate::gpu::{Moment, View};
 
 /// The scene, and what else makes the picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,6 +34,14 @@ impl Origin {
             ("view", moment.view.name().to_owned()),
             ("samples", shot.samples.to_string()),
         ];
+        if let Some(split) = moment.split {
+            notes.push(("split", format!("{} from {} on", split.view.name(), split.at)));
+        }
+        let views = [Some(moment.view), moment.split.map(|split| split.view)];
+        if let Some(measure) = compiled.scene.measure.filter(|_| views.contains(&Some(View::Value))) {
+            let name = measure.name(&compiled.scene);
+            notes.push(("value", format!("{name}, to {}", moment.reach)));
+        }
         if moment.camera != own.camera {
             let camera = moment.camera;
             let [eye, target, up] = [camera.eye, camera.target, camera.up].map(|v| (v.x, v.y, v.z));

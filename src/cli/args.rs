@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use super::words::{adapter, frames, language, rate, reach, share, size, view};
 use crate::export::Language;
 use crate::gpu::{AdapterChoice, View};
 
@@ -85,6 +86,8 @@ pub struct ViewOptions {
 Examples:
   raytoy render scenes/table.ron -o table.png --size 1920x1080 --samples 16
   raytoy render scenes/table.ron -o normals.png --view normal
+  raytoy render scenes/table.ron -o both.png --split normal       the picture and its normals
+  raytoy render scenes/table.ron -o tiles.png --view value --value tiles
   raytoy render scenes/table.ron -o table.exr     linear light, depth Z and object index, 32-bit floats
   raytoy render scenes/*.ron -o gallery/          a picture for each scene
   raytoy render wave.ron -o wave.mp4 --frames 0..120      four seconds of a scene that moves
@@ -114,9 +117,22 @@ pub struct RenderOptions {
     /// Frames a second
     #[arg(long, value_name = "N", default_value_t = 30.0, requires = "frames", value_parser = rate)]
     pub fps: f64,
-    /// color, normal, depth, position, uv, object, material, bounces, shadow, nan, cost or facing
+    /// color, normal, depth, position, uv, object, material, bounces, shadow, nan, cost, facing or value
     #[arg(long, value_name = "NAME", default_value = "color", value_parser = view)]
     pub view: View,
+    /// Draw this other view right of a divider
+    #[arg(long, value_name = "NAME", value_parser = view)]
+    pub split: Option<View>,
+    /// Where the divider is: 0 is the left edge, 1 the right one
+    #[arg(long, value_name = "SHARE", default_value_t = 0.5, requires = "split", value_parser = share)]
+    pub split_at: f32,
+    /// What the view `value` shows: pattern (the default), distance, facing, u, v, footprint, or a texture
+    /// that the scene declares
+    #[arg(long, value_name = "NAME")]
+    pub value: Option<String>,
+    /// The number at which the colors of that view end
+    #[arg(long, value_name = "N", default_value_t = 1.0, value_parser = reach)]
+    pub reach: f32,
     /// Read the scene's numbers from a uniform buffer, as the window does, instead of writing them out
     #[arg(long)]
     pub live: bool,
@@ -255,45 +271,4 @@ pub enum TestFormat {
     Human,
     Json,
     Junit,
-}
-
-fn size(text: &str) -> Result<[u32; 2], String> {
-    let parsed = text.split_once(['x', 'X']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
-    let sensible = |size: &[u32; 2]| size.iter().all(|n| (1..=32768).contains(n));
-    parsed.filter(sensible).ok_or_else(|| "a size is width x height in pixels, such as 960x540".into())
-}
-
-fn frames(text: &str) -> Result<Range<u32>, String> {
-    let parsed = text.split_once("..").and_then(|(from, to)| Some(from.parse().ok()?..to.parse().ok()?));
-    let some = parsed.filter(|range: &Range<u32>| !range.is_empty());
-    some.ok_or_else(|| "frames go from a number up to a higher one, such as 0..120 for 0 to 119".into())
-}
-
-fn rate(text: &str) -> Result<f64, String> {
-    let sensible = text.parse().ok().filter(|rate| (0.01..=1000.0).contains(rate));
-    sensible.ok_or_else(|| "frames a second are a number from 0.01 to 1000".into())
-}
-
-fn view(text: &str) -> Result<View, String> {
-    let found = View::ALL.iter().find(|(name, _)| *name == text);
-    found.map(|(_, view)| *view).ok_or_else(|| {
-        let names = View::ALL.map(|(name, _)| name);
-        format!("the views are {}", names.join(", "))
-    })
-}
-
-fn language(text: &str) -> Result<Language, String> {
-    let found = Language::ALL.iter().find(|(name, _)| *name == text);
-    found.map(|(_, language)| *language).ok_or_else(|| {
-        let names = Language::ALL.map(|(name, _)| name);
-        format!("the languages are {}", names.join(", "))
-    })
-}
-
-fn adapter(text: &str) -> Result<AdapterChoice, String> {
-    Ok(match text {
-        "fastest" => AdapterChoice::Fastest,
-        "software" => AdapterChoice::Software,
-        name => AdapterChoice::Named(name.into()),
-    })
 }

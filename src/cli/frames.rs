@@ -4,9 +4,9 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::args::RenderOptions;
-use super::render::{mode, shot, with_progress};
+use super::render::{compiled, shot, with_progress};
 use super::stats::Stats;
-use super::{Failure, Result, compiled, print_report, write_output};
+use super::{Failure, Result, print_report, write_output};
 use crate::capture::{self, Format, Frames, MovieFormat, Numbered};
 use crate::diagnostic::{Diagnostic, Report};
 use crate::gpu::Gpu;
@@ -25,7 +25,7 @@ pub fn run(options: &RenderOptions, numbers: Range<u32>) -> Result {
     let output = output(path)?;
     let frames = Frames { numbers, rate: options.fps };
     let gpu = Gpu::headless(&options.adapter)?;
-    let compiled = compiled(scene, mode(options))?;
+    let compiled = compiled(options, scene)?;
     let count = frames.numbers.len();
     if !compiled.source.reads_time() && count > 1 {
         let message = format!("`{}` does not move: all {count} frames are the same", compiled.scene.name);

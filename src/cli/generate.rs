@@ -1,11 +1,11 @@
 //! `raytoy generate`: the shader of a scene.
 
 use std::io::IsTerminal;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::args::GenerateOptions;
 use super::{Failure, Result, compiled, write_output};
-use crate::export::{Language, export};
+use crate::export::{Export, Language, export};
 use crate::wgsl::Mode;
 
 pub fn run(options: &GenerateOptions) -> Result {
@@ -39,9 +39,7 @@ fn write_beside(output: &Path, texels: &[u8]) -> Result {
                    name one, as in `-o scene.wgsl`";
         return Err(Failure::Call(why.into()));
     }
-    let mut beside = output.as_os_str().to_owned();
-    beside.push(".texels");
-    let beside = PathBuf::from(beside);
+    let beside = Export::texels_file(output);
     write_output(&beside, texels)?;
     eprintln!("{}: {} bytes, the images and models of {}", beside.display(), texels.len(), output.display());
     Ok(())

@@ -14,6 +14,7 @@ mod scene;
 mod stats;
 mod test;
 mod view;
+mod words;
 
 use std::io::{IsTerminal, Read, Write};
 use std::path::{Path, PathBuf};

@@ -8,14 +8,19 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::args::RenderOptions;
 use super::stats::Stats;
-use super::{Failure, Result, compiled, frames, print_report, write_output};
+use super::{Failure, Result, frames, print_report, write_output};
 use crate::Compiled;
 use crate::capture::{self, Format, MovieFormat, Shot};
-use crate::gpu::{Gpu, Moment};
+use crate::gpu::{Gpu, Moment, Split, View};
+use crate::ir::Measure;
 use crate::suite::is_settings;
 use crate::wgsl::Mode;
 
 pub fn run(options: &RenderOptions) -> Result {
+    if let Some(name) = options.value.as_ref().filter(|_| !shows_numbers(options)) {
+        let why = format!("`--value {name}` is for the view of numbers: add `--view value`");
+        return Err(Failure::Call(why));
+    }
     if let Some(numbers) = &options.frames {
         return frames::run(options, numbers.clone());
     }
@@ -31,7 +36,7 @@ pub fn run(options: &RenderOptions) -> Result {
     let mut all = vec![];
     for (scene, output) in scenes.iter().zip(&outputs) {
         let drawn =
-            compiled(scene, mode(options)).and_then(|compiled| draw(&shot(options, &gpu, &compiled), output));
+            compiled(options, scene).and_then(|compiled| draw(&shot(options, &gpu, &compiled), output));
         match drawn {
             Ok(stats) => all.push(stats),
             Err(Failure::Scene) => wrong = true,
@@ -48,14 +53,34 @@ pub fn run(options: &RenderOptions) -> Result {
     if wrong { Err(Failure::Scene) } else { Ok(()) }
 }
 
-/// How the scene's numbers get to the GPU.
-pub fn mode(options: &RenderOptions) -> Mode {
-    if options.live { Mode::Live } else { Mode::Baked }
+/// Whether the view `value` is to be seen.
+fn shows_numbers(options: &RenderOptions) -> bool {
+    options.view == View::Value || options.split == Some(View::Value)
+}
+
+/// The scene as the options ask for it, with the number that the view `value` shows, if it is to be seen.
+pub fn compiled(options: &RenderOptions, scene: &Path) -> Result<Compiled> {
+    let mode = if options.live { Mode::Live } else { Mode::Baked };
+    let compiled = super::compiled(scene, mode)?;
+    if !shows_numbers(options) {
+        return Ok(compiled);
+    }
+    let name = options.value.as_deref().unwrap_or("pattern");
+    let Some(measure) = Measure::named(&compiled.scene, name) else {
+        let known = Measure::ALL.iter().map(|(known, _)| *known);
+        let declared = compiled.scene.textures.iter().map(|texture| texture.name.as_str());
+        let names: Vec<&str> = known.chain(declared).collect();
+        let message = format!("`{}` has no value `{name}`: it has {}", compiled.scene.name, names.join(", "));
+        return Err(Failure::Call(message));
+    };
+    compiled.measuring(measure).map_err(|problem| Failure::Call(problem.message))
 }
 
 /// What the options ask for.
 pub fn shot<'a>(options: &RenderOptions, gpu: &'a Gpu, compiled: &'a Compiled) -> Shot<'a> {
-    let moment = Moment { view: options.view, time: options.time, ..Moment::of(&compiled.scene) };
+    let RenderOptions { view, time, reach, split_at: at, .. } = *options;
+    let split = options.split.map(|view| Split { view, at });
+    let moment = Moment { view, split, reach, time, ..Moment::of(&compiled.scene) };
     Shot { gpu, compiled, moment, size: options.size, samples: options.samples }
 }
 

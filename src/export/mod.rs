@@ -9,6 +9,7 @@ mod shadertoy;
 mod standalone;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
 
 use self::standalone::Standalone;
 use crate::wgsl::Host;
@@ -46,6 +47,15 @@ pub struct Export {
     /// What its textures hold, for a file beside it; empty where the scene takes nothing from files. The head
     /// of the shader tells how to read it; SPIR-V has none, and the bindings and texels of WGSL.
     pub texels: Vec<u8>,
+}
+
+impl Export {
+    /// Where the texels of the shader in `file` lie: beside it, with `.texels` behind its name.
+    pub fn texels_file(file: &Path) -> PathBuf {
+        let mut beside = file.as_os_str().to_owned();
+        beside.push(".texels");
+        beside.into()
+    }
 }
 
 /// Why a scene cannot stand on its own.

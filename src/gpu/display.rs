@@ -1,5 +1,7 @@
 //! From gathered light to what a screen shows: the second, small pass.
 
+use std::ops::Range;
+
 use bytemuck::{Pod, Zeroable};
 
 use super::pipeline::{uniform_buffer, uniform_entry};
@@ -24,6 +26,14 @@ pub struct Target {
     pub corner: [f32; 2],
     /// Pixels of the target to one of the picture.
     pub zoom: f32,
+}
+
+/// The part of a picture that holds light, and how it is to be shown. The rest are values.
+#[derive(Clone, Debug)]
+pub struct Light<'a> {
+    pub render: &'a ir::Render,
+    /// Pixels of the picture, from the left.
+    pub columns: Range<u32>,
 }
 
 /// `Display` of shaders/display.wgsl.
@@ -60,14 +70,18 @@ impl Display {
         Self { gpu: gpu.clone(), pipelines, layout, options }
     }
 
-    /// Draws `picture` on `target`: light as `render` says it is to be shown, other values as they are.
+    /// Draws `picture` on `target`: its light as that is to be shown, other values as they are.
     pub fn draw(
         &self,
         picture: &wgpu::Texture,
-        render: Option<&ir::Render>,
+        light: Option<Light<'_>>,
         target: &wgpu::TextureView,
         place: Target,
     ) {
+        let render = light.as_ref().map(|light| light.render);
+        let columns = light.map_or(0..0, |light| light.columns);
+        let is_all_light = columns == (0..picture.width());
+        let [values, lights] = [&self.pipelines[1], &self.pipelines[0]];
         let transfer = render.map_or(ir::Transfer::Linear, |r| r.transfer);
         let (transfer, gamma) = match transfer {
             ir::Transfer::Linear => (0, 1.0),
@@ -97,9 +111,22 @@ impl Display {
         let mut encoder = device.create_command_encoder(&Default::default());
         {
             let mut pass = begin_pass(&mut encoder, target, wgpu::LoadOp::Clear(wgpu::Color::BLACK));
-            pass.set_pipeline(&self.pipelines[usize::from(render.is_none())]);
             pass.set_bind_group(0, &bindings, &[]);
-            pass.draw(0..3, 0..1);
+            if !is_all_light {
+                pass.set_pipeline(values);
+                pass.draw(0..3, 0..1);
+            }
+            if !columns.is_empty() {
+                let texture = target.texture();
+                if !is_all_light {
+                    let edge = |column: u32| place.corner[0] + place.zoom * column as f32;
+                    let [start, end] = [columns.start, columns.end]
+                        .map(|column| (edge(column).round() as u32).min(texture.width()));
+                    pass.set_scissor_rect(start, 0, end - start, texture.height());
+                }
+                pass.set_pipeline(lights);
+                pass.draw(0..3, 0..1);
+            }
         }
         queue.submit([encoder.finish()]);
     }

@@ -56,7 +56,7 @@ impl Identity {
         let mut slices = Slices::new();
         let mut values = |view| {
             tracer.restart();
-            let moment = Moment { view, ..*moment };
+            let moment = Moment { view, split: None, ..*moment };
             let subject = Subject { gpu, pipeline, render: &bare, moment: &moment };
             let _ = slices.draw(&mut tracer, subject, [0.0; 2], &mut |_| ControlFlow::Continue(()))?;
             let bytes = gpu.read_texture(tracer.picture(), 16)?;

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use super::slices::{Slices, Subject};
-use super::{Display, Gpu, GpuError, Identity, Moment, Pipeline, Target, Tracer, View, sample_offset};
+use super::{Display, Gpu, GpuError, Identity, Light, Moment, Pipeline, Target, Tracer, sample_offset};
 use crate::{Compiled, ir};
 
 /// A finished picture, by rows from the top.
@@ -117,7 +117,7 @@ impl Renderer {
             }
         }
         times.frame = if samples > 1 { after_first / (samples - 1) } else { times.first_frame };
-        self.read(moment.view, times).map(Some)
+        self.read(moment, times).map(Some)
     }
 
     /// What lies under each pixel of such a picture.
@@ -128,11 +128,12 @@ impl Renderer {
         Identity::draw(&self.gpu, &self.pipeline, moment, &self.options, self.tracer.size())
     }
 
-    fn read(&self, view: View, times: PictureTimes) -> Result<Picture, GpuError> {
+    fn read(&self, moment: &Moment, times: PictureTimes) -> Result<Picture, GpuError> {
         let target = self.canvas.create_view(&Default::default());
         let whole = Target { corner: [0.0; 2], zoom: 1.0 };
-        let light = (view == View::Color).then_some(&self.options);
-        self.display.draw(self.tracer.picture(), light, &target, whole);
+        let columns = moment.view.columns_of_light(moment.split, self.tracer.size()[0]);
+        let light = Light { render: &self.options, columns };
+        self.display.draw(self.tracer.picture(), Some(light), &target, whole);
         let rgba = self.display.read(&self.canvas)?;
         let bytes = self.gpu.read_texture(self.tracer.picture(), 16)?;
         let texels: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);

@@ -2,6 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
+use super::Split;
 use super::lens::Lens;
 use crate::ir;
 
@@ -33,6 +34,8 @@ pub enum View {
     Cost,
     /// Outsides of surfaces in blue, insides in orange.
     Facing,
+    /// The number that the scene measures, blue below 0 and red above.
+    Value,
     /// Surface coordinates as they are, and the object's index. For [`super::Identity`].
     Place,
     /// World normals as they are, outward and without bumps. For [`super::Identity`].
@@ -41,7 +44,7 @@ pub enum View {
 
 impl View {
     /// Those to look at, with the names by which they are asked for.
-    pub const ALL: [(&str, View); 12] = [
+    pub const ALL: [(&str, View); 13] = [
         ("color", View::Color),
         ("normal", View::Normal),
         ("depth", View::Depth),
@@ -54,6 +57,7 @@ impl View {
         ("nan", View::Nan),
         ("cost", View::Cost),
         ("facing", View::Facing),
+        ("value", View::Value),
     ];
 
     /// The name by which it is asked for.
@@ -67,6 +71,10 @@ impl View {
 pub struct Moment {
     pub camera: ir::Camera,
     pub view: View,
+    /// What lies over the right part of it.
+    pub split: Option<Split>,
+    /// The number at which the colors of [`View::Value`] end, more than 0.
+    pub reach: f32,
     /// Seconds.
     pub time: f32,
     /// Pixels from the top left.
@@ -76,7 +84,8 @@ pub struct Moment {
 impl Moment {
     /// As the scene says, at its beginning.
     pub fn of(scene: &ir::Scene) -> Self {
-        Self { camera: scene.camera, view: View::Color, time: 0.0, mouse: [0.0; 2] }
+        let (camera, view) = (scene.camera, View::Color);
+        Self { camera, view, split: None, reach: 1.0, time: 0.0, mouse: [0.0; 2] }
     }
 }
 
@@ -98,7 +107,9 @@ pub struct Frame {
     pub sample: u32,
     pub view: u32,
     pub casters: u32,
-    padding: [u32; 3],
+    pub beside: u32,
+    pub divider: f32,
+    pub reach: f32,
 }
 
 impl Frame {
@@ -127,7 +138,9 @@ impl Frame {
             sample,
             view: moment.view as u32,
             casters,
-            padding: [0; 3],
+            beside: moment.split.map_or(moment.view, |split| split.view) as u32,
+            divider: moment.split.map_or(0, |split| split.column(size[0])) as f32,
+            reach: moment.reach,
         }
     }
 }

@@ -4,6 +4,7 @@
 
 pub mod fields;
 mod light;
+mod measure;
 mod parts;
 mod resolve;
 
@@ -12,6 +13,7 @@ use std::sync::Arc;
 use glam::Vec3;
 
 pub use light::{Light, LightKind};
+pub use measure::Measure;
 pub use resolve::{default_name, resolve};
 
 use crate::library::{Const, Function, Image, Model, Type};
@@ -34,6 +36,8 @@ pub struct Scene {
     /// What rays are tested against: each object is in one of them, alone or as a part.
     pub bodies: Vec<Body>,
     pub render: Render,
+    /// The number that the shader is to compute besides, for a debug view. No scene says so itself.
+    pub measure: Option<Measure>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]

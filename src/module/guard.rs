@@ -161,7 +161,7 @@ impl Writer<'_> {
                 "all loops of a snippet may take {CALL_STEPS} steps in a call, \
                  and {PIXEL_STEPS} in the calls for one sample of a pixel"
             ));
-        let text = self.text(&here.file).to_owned();
+        let text = self.text(&here.file).into();
         Report { diagnostics: vec![problem], texts: [(here.file.clone(), text)].into() }
     }
 }

@@ -13,6 +13,7 @@ use crate::library::Const;
 /// `settings` are fields of `Frame` in shaders/frame.wgsl. They get into the text for a host that has no
 /// uniforms; `pixel_spread` is then that of a picture one pixel high.
 pub fn generate_alone(scene: &Scene, host: Host, settings: &[(&str, Const)]) -> Source {
+    let scene = &Scene { measure: None, ..scene.clone() };
     let mut writer = Writer::new(scene, Mode::Baked);
     let body = writer.scene_text();
     let mut text = writer.contents();

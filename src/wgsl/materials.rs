@@ -38,7 +38,7 @@ impl Writer<'_> {
     }
 
     /// The objects whose material `is` the wanted one, as the selector of a `case`.
-    fn cases(&self, is: impl Fn(usize) -> bool) -> Option<Code> {
+    pub fn cases(&self, is: impl Fn(usize) -> bool) -> Option<Code> {
         let objects = self.scene.objects.iter().zip(&self.object_names);
         let mut names: Vec<Code> =
             objects.filter(|(o, _)| is(o.material)).map(|(_, name)| Code::atom(name)).collect();

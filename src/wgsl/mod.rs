@@ -9,6 +9,7 @@ mod combinations;
 mod distances;
 mod lights;
 mod materials;
+mod measures;
 mod names;
 mod numbers;
 mod objects;
@@ -154,11 +155,13 @@ impl<'a> Writer<'a> {
     fn scene_text(&mut self) -> Lines {
         let bodies = self.bodies();
         let materials = self.materials();
+        let measured = self.measured();
         let lights = self.lights();
         let mut text = self.constants();
         text.extend(bodies);
         text.extend(self.images());
         text.extend(materials);
+        text.extend(measured);
         text.extend(lights);
         text.extend(self.numbers.accessor());
         text
@@ -168,7 +171,8 @@ impl<'a> Writer<'a> {
     fn sections(self, text: Lines, host: Host) -> Source {
         let own = Section { name: format!("generated from {}", self.scene.name), text: text.finish().into() };
         let needed = sections::needed(&own, &self.used, host);
-        let sections = [own].into_iter().chain(needed).collect();
+        let unmeasured = (host == Host::Raytoy && self.scene.measure.is_none()).then(sections::unmeasured);
+        let sections = [own].into_iter().chain(needed).chain(unmeasured).collect();
         Source { mode: self.mode, sections, numbers: self.numbers.into_data() }
     }
 

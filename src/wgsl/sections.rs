@@ -10,13 +10,14 @@ const CORE: [&str; 10] =
     ["pixel", "trace", "look", "shading", "light", "material", "space", "hit", "ray", "frame"];
 
 /// What goes before it: the entry points, by those who call them.
-const OF_RAYTOY: [&str; 3] = ["main", "cover", "view"];
+const OF_RAYTOY: [&str; 4] = ["main", "cover", "view", "signed"];
 const OF_ANY_HOST: [&str; 4] = ["standalone", "cover", "unviewed", "tone"];
 const OF_SHADERTOY: [&str; 3] = ["shadertoy", "unviewed", "tone"];
 
-/// Files in shaders/ that are no part of a picture's shader.
-const APART: [&str; 4] = ["display", "guard", "lines", "probe"];
+/// Files in shaders/ that are no part of every picture's shader.
+const APART: [&str; 5] = ["display", "guard", "lines", "probe", "unmeasured"];
 const PROBE: &str = "shaders/probe.wgsl";
+const UNMEASURED: &str = "shaders/unmeasured.wgsl";
 /// What ends the loops of the author's.
 pub const GUARD: &str = "shaders/guard.wgsl";
 
@@ -67,6 +68,11 @@ pub fn needed(own: &Section, used: &[Arc<Function>], host: Host) -> Vec<Section>
 /// The entry points that ask a scene's functions for values.
 pub fn probe() -> Section {
     section(PROBE, built_in(PROBE).expect("it ships with raytoy"))
+}
+
+/// What stands for the number that nobody measures.
+pub fn unmeasured() -> Section {
+    section(UNMEASURED, built_in(UNMEASURED).expect("it ships with raytoy"))
 }
 
 fn section(name: &str, text: &str) -> Section {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::Writer;
 use super::code::{self, Code, Lines};
-use crate::ir::{Call, Interpolation, Picture, Ramp, Triplanar, Value};
+use crate::ir::{Call, Interpolation, Measure, Picture, Ramp, Triplanar, Value};
 use crate::library::{Const, Type};
 
 /// The statements before the expression that a function returns.
@@ -51,7 +51,7 @@ impl Writer<'_> {
     }
 
     /// The point that `mapping` makes of the point `at`.
-    fn moved(&mut self, mapping: Option<&Call>, at: &str, body: &mut Body, indent: usize) -> String {
+    pub fn moved(&mut self, mapping: Option<&Call>, at: &str, body: &mut Body, indent: usize) -> String {
         let Some(mapping) = mapping else { return at.to_owned() };
         let code = self.call(mapping, at, body, indent);
         body.bind("let", "at", &code, indent)
@@ -124,6 +124,9 @@ impl Writer<'_> {
         let shaping = scene.objects.iter().flat_map(|object| &object.arguments);
         shaping.for_each(|value| reach(value, scene, &mut reached));
         reach(&scene.background, scene, &mut reached);
+        if let Some(Measure::Texture(index)) = scene.measure {
+            reach(&Value::Texture(index), scene, &mut reached);
+        }
         for material in &scene.materials {
             let heights = material.bump.iter().map(|bump| &bump.height);
             for value in material.properties.iter().map(|(_, value)| value).chain(heights) {

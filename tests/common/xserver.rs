@@ -155,6 +155,16 @@ impl Desk {
         self.hand(xproto::MOTION_NOTIFY_EVENT, 0, at);
     }
 
+    /// Presses the first button and leaves it down.
+    pub fn take(&self, at: [i16; 2]) {
+        self.hand(xproto::BUTTON_PRESS_EVENT, 1, at);
+    }
+
+    /// Lets the first button go.
+    pub fn let_go(&self, at: [i16; 2]) {
+        self.hand(xproto::BUTTON_RELEASE_EVENT, 1, at);
+    }
+
     /// Presses the first button and lets it go.
     pub fn click(&self, at: [i16; 2]) {
         self.hand(xproto::MOTION_NOTIFY_EVENT, 0, at);

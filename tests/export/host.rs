@@ -66,7 +66,7 @@ fn frame(text: &str, [width, height]: [u32; 2], n: u32, jitter: [f32; 2]) -> Vec
         }
         told += 1;
     }
-    assert_eq!(told, 14, "the head tells of all fields");
+    assert_eq!(told, 17, "the head tells of all fields");
     bytes
 }
 

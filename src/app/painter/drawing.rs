@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use super::{Painter, SAMPLES};
 use crate::Compiled;
-use crate::app::messages::{Notice, Picture};
+use crate::app::messages::{Look, Notice, Picture};
 use crate::gpu::{GpuError, Identity, Moment, Region, Tracer, sample_offset};
 
 /// On a device of its own the painter lets the window show a picture first, but waits no longer than this.
@@ -27,7 +27,8 @@ impl Painter {
         let scene = &compiled.scene;
         let mouse = self.look.mouse.map(|x| x / self.coarseness as f32);
         let camera = self.look.camera.unwrap_or(scene.camera);
-        Moment { camera, view: self.look.view, time: self.time, mouse }
+        let Look { view, split, reach, .. } = self.look;
+        Moment { camera, view, split, reach, time: self.time, mouse }
     }
 
     /// Draws a pixel that the next sample will draw over.

@@ -34,6 +34,8 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
             size: [0; 2],
             camera: None,
             view: View::Color,
+            split: None,
+            reach: 1.0,
             mouse: [0.0; 2],
             clock,
             gizmos: false,

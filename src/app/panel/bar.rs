@@ -23,13 +23,13 @@ impl Panel {
             self.main_menu(ui, deeds);
             ui.separator();
             self.scene_menu(ui, deeds);
-            self.view_menu(ui);
+            view_menu(ui, "view", &mut self.view);
             ui.separator();
             for command in [Command::Undo, Command::Redo, Command::Home, Command::KeepView] {
                 self.button(ui, command, deeds);
             }
             ui.separator();
-            for command in [Command::Gizmos, Command::OnlyThis, Command::SavePicture] {
+            for command in [Command::Gizmos, Command::OnlyThis, Command::SavePicture, Command::SplitView] {
                 if ui.available_width() > ENOUGH {
                     self.button(ui, command, deeds);
                 }
@@ -49,6 +49,7 @@ impl Panel {
             for command in [
                 Command::Gizmos,
                 Command::OnlyThis,
+                Command::SplitView,
                 Command::Magnifier,
                 Command::Patience,
                 Command::SavePicture,
@@ -60,19 +61,6 @@ impl Panel {
                 self.menu_item(ui, command, deeds);
             }
         });
-    }
-
-    fn view_menu(&mut self, ui: &mut Ui) {
-        let name = |view: View| View::ALL.iter().find(|(_, v)| *v == view).map_or("", |(name, _)| name);
-        egui::ComboBox::from_id_salt("view")
-            .width(90.0)
-            .height(480.0)
-            .selected_text(name(self.view))
-            .show_ui(ui, |ui| {
-                for (name, view) in View::ALL {
-                    ui.selectable_value(&mut self.view, view, name);
-                }
-            });
     }
 
     /// Where edits go, and what became of them.
@@ -127,4 +115,14 @@ impl Panel {
     pub(super) fn step(&mut self, frames: f32) {
         self.clock = Clock::Stopped((self.clock.time() + frames * FRAME).max(0.0));
     }
+}
+
+/// All views to choose from, below the one that is shown.
+pub fn view_menu(ui: &mut Ui, id: &str, chosen: &mut View) {
+    let menu = egui::ComboBox::from_id_salt(id).width(90.0).height(480.0);
+    menu.selected_text(chosen.name()).show_ui(ui, |ui| {
+        for (name, view) in View::ALL {
+            ui.selectable_value(chosen, view, name);
+        }
+    });
 }

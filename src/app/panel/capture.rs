@@ -102,8 +102,9 @@ impl Panel {
         let compiled = self.compiled.clone().filter(|_| takes)?;
         let camera = self.camera.unwrap_or(compiled.scene.camera);
         let Dialog { size, samples, seconds, rate, file, .. } = &self.dialog;
-        let moment =
-            Moment { camera, view: self.view, time: self.clock.time(), ..Moment::of(&compiled.scene) };
+        let (split, reach) = (self.divider.split(), self.gauge.reach());
+        let own = Moment::of(&compiled.scene);
+        let moment = Moment { camera, view: self.view, split, reach, time: self.clock.time(), ..own };
         let frames = Frames { numbers: 0..(seconds * rate).round().max(1.0) as u32, rate: *rate };
         let path = PathBuf::from(file);
         let (size, samples) = (*size, *samples);

@@ -5,8 +5,10 @@
 mod bar;
 mod capture;
 mod commands;
+mod divider;
 mod facts;
 mod fields;
+mod gauge;
 mod inspector;
 mod magnifier;
 mod mistakes;
@@ -67,6 +69,8 @@ pub struct Panel {
     magnifies: bool,
     /// Whether a picture may take as long as it does.
     patient: bool,
+    divider: divider::Divider,
+    gauge: gauge::Gauge,
     focus: Focus,
     picking: Picking,
     /// What was asked of the painter last.
@@ -82,7 +86,7 @@ pub struct Panel {
     /// What the names in the tree are to have in them.
     wanted: String,
     compiled: Option<Arc<Compiled>>,
-    listing: shader::Listing,
+    shader: shader::Tab,
     facts: Vec<(&'static str, String)>,
     /// Mistakes, or warnings of a scene that is shown.
     report: Option<(Report, String)>,
@@ -136,6 +140,8 @@ impl Panel {
             gizmos: false,
             magnifies: false,
             patient: false,
+            divider: divider::Divider::default(),
+            gauge: gauge::Gauge::default(),
             focus: Focus::All,
             picking: Picking::default(),
             look: None,
@@ -147,7 +153,7 @@ impl Panel {
             selected: None,
             wanted: String::new(),
             compiled: None,
-            listing: shader::Listing::default(),
+            shader: shader::Tab::default(),
             facts: vec![],
             report: None,
             dialog: capture::Dialog::new(&scenes::stem(scene)),
@@ -165,6 +171,7 @@ impl Panel {
     pub fn begin_again(&mut self) -> [Order; 2] {
         self.picking = Picking::default();
         self.look = None;
+        self.gauge.begin_again();
         [Order::Edited(self.document.overlay()), Order::Focus(self.focus.clone())]
     }
 
@@ -178,7 +185,7 @@ impl Panel {
         if is_new_edit {
             self.mend(&picture.warnings);
             self.picking.forget();
-            self.listing.take(&picture.compiled);
+            self.shader.listing.take(&picture.compiled, &self.focus);
         }
         self.moves = picture.moves;
         self.compiled = Some(picture.compiled.clone());
@@ -236,7 +243,9 @@ impl Panel {
             }
         });
         self.settings.panel = side.response.rect.width();
-        let look = egui::CentralPanel::no_frame().show(ui, |ui| self.picture(ui, picture)).inner;
+        let shown = egui::CentralPanel::no_frame().show(ui, |ui| self.picture(ui, picture));
+        let look = shown.inner;
+        self.measure(ui, shown.response.rect, &mut deeds);
         let capture = self.capture_dialog(ui);
         self.palette(ui, &mut deeds);
         self.sheet(ui);

@@ -26,6 +26,7 @@ impl Panel {
             self.click([at.x.max(0.0) as u32, at.y.max(0.0) as u32]);
         }
         self.show_choice(ui, area);
+        self.divide(ui, area);
         self.magnify(ui, area, response.hover_pos(), picture);
         if let Some((report, text)) = self.report.take() {
             if let Some(problem) = mistakes::show(ui, area, &report, &text) {
@@ -39,6 +40,8 @@ impl Panel {
             size: [pixels(area.width()), pixels(area.height())],
             camera: self.camera,
             view: self.view,
+            split: self.divider.split(),
+            reach: self.gauge.reach(),
             mouse: self.mouse,
             clock: self.clock,
             gizmos: self.gizmos,

@@ -13,7 +13,8 @@ impl Panel {
         let (adapter, settings) = (std::mem::take(&mut self.adapter), std::mem::take(&mut self.settings));
         let known = Self::new(scene, adapter, settings);
         let (view, gizmos, tab, magnifies) = (self.view, self.gizmos, self.tab, self.magnifies);
-        *self = Self { view, gizmos, tab, magnifies, ..known };
+        let divider = std::mem::take(&mut self.divider);
+        *self = Self { view, gizmos, tab, magnifies, divider, ..known };
         Order::Open(scene.to_owned())
     }
 

@@ -134,6 +134,7 @@ impl<'a> Resolver<'a> {
             objects,
             bodies,
             render,
+            measure: None,
         }
     }
 

@@ -72,6 +72,9 @@ struct Frame {
     uint sample_;
     uint view;
     uint casters;
+    uint beside;
+    float divider;
+    float reach;
 };
 struct Seen {
     vec3 radiance;
@@ -114,7 +117,7 @@ const float MIN_WEIGHT = 0.001953125;
 
 uint work = 0u;
 
-Frame frame = Frame(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0u, vec2(0.0), vec2(0.0), vec2(0.0), 0u, 0u, 0u);
+Frame frame = Frame(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0u, vec2(0.0), vec2(0.0), vec2(0.0), 0u, 0u, 0u, 0u, 0.0, 0.0);
 
 uint zero = 0u;
 
@@ -597,7 +600,7 @@ Shade shade(vec3 p_7, vec3 origin_1, vec3 n_1, vec3 v, Material material_1) {
     return Shade(_e68, (_e69 / max(_e70, 1.0)));
 }
 
-vec3 surfaceView(Placed met_1, vec3 n_2, vec3 v_1, vec3 albedo, float visibility) {
+vec3 surfaceView(Hit hit_2, Placed met_1, vec3 n_2, vec3 v_1, vec3 albedo, float visibility) {
     return vec3(0.0);
 }
 
@@ -691,7 +694,7 @@ Seen traceTree(vec3 origin_2, vec3 direction_4) {
                     seen_1.depth = _e31.t;
                     seen_1.object = _e31.object;
                     vec3 _e112 = n_3;
-                    vec3 _e115 = surfaceView(met_2, _e112, v_4, material_3.color, _e104.visibility);
+                    vec3 _e115 = surfaceView(_e31, met_2, _e112, v_4, material_3.color, _e104.visibility);
                     seen_1.value = _e115;
                 }
                 vec3 _e116 = n_3;

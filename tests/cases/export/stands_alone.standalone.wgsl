@@ -22,6 +22,9 @@
 //     88  u32    sample          0; for many samples n
 //     92  u32    view            0: only raytoy itself uses it
 //     96  u32    casters         0: only raytoy itself uses it
+//    100  u32    beside          0: only raytoy itself uses it
+//    104  f32    divider         0: only raytoy itself uses it
+//    108  f32    reach           0: only raytoy itself uses it
 //
 // Another camera: forward = normalize(target - eye), right = normalize(cross(forward, upwards)),
 // up = cross(right, forward); then right and up times 0.36397022.
@@ -332,7 +335,7 @@ fn coverPicture(@builtin(vertex_index) corner: u32) -> Covered {
 
 // In place of view.wgsl where a scene stands on its own: its picture shows the light and nothing else.
 
-fn surfaceView(met: Placed, n: vec3f, v: vec3f, albedo: vec3f, visibility: f32) -> vec3f {
+fn surfaceView(hit: Hit, met: Placed, n: vec3f, v: vec3f, albedo: vec3f, visibility: f32) -> vec3f {
     return vec3f(0.0);
 }
 
@@ -449,7 +452,7 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             if depth == 0u {
                 seen.depth = hit.t;
                 seen.object = hit.object;
-                seen.value = surfaceView(met, n, v, material.color, shaded.visibility);
+                seen.value = surfaceView(hit, met, n, v, material.color, shaded.visibility);
             }
 
             let mirror = mirrored(material, clamp(dot(n, v), 0.0, 1.0));
@@ -969,6 +972,12 @@ struct Frame {
     view: u32,
     /// Bodies that cast shadows.
     casters: u32,
+    /// The debug view right of the divider.
+    beside: u32,
+    /// Where that begins, pixels from the left.
+    divider: f32,
+    /// The number at which the colors of a view of numbers end.
+    reach: f32,
 }
 
 /// Nothing, but no driver knows it. Mesa's software driver compiles a shader again for each draw if plain

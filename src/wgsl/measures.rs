@@ -1,0 +1,74 @@
+//! The number that the debug view `value` shows, as a function of the scene's own section.
+
+use super::Writer;
+use super::code::{Code, Lines};
+use super::values::Body;
+use crate::ir::{Measure, Property, Value};
+use crate::library::{Const, Type};
+
+impl Writer<'_> {
+    /// `measuredAt`, in place of shaders/unmeasured.wgsl; nothing where the scene measures nothing.
+    pub fn measured(&mut self) -> Lines {
+        let mut lines = Lines::default();
+        let Some(measure) = self.scene.measure else { return lines };
+        lines.push("");
+        lines.push("/// The number that is measured where `hit` meets the surface point `at`.");
+        lines.push("fn measuredAt(hit: Hit, at: Surface, facing: f32) -> f32 {");
+        match measure {
+            Measure::Pattern => lines.extend(self.patterns()),
+            Measure::Distance => lines.push("    return hit.t;"),
+            Measure::Facing => lines.push("    return facing;"),
+            Measure::U => lines.push("    return at.uv.x;"),
+            Measure::V => lines.push("    return at.uv.y;"),
+            Measure::Footprint => lines.push("    return at.footprint;"),
+            Measure::Texture(index) => {
+                let mut body = Body::default();
+                let number = self.number(&Value::Texture(index), "at", &mut body, 4);
+                lines.extend(body.lines);
+                lines.statement(4, "return ", &number, ";");
+            }
+        }
+        lines.push("}");
+        lines
+    }
+
+    /// A case for each material.
+    fn patterns(&mut self) -> Lines {
+        let scene = self.scene;
+        let mut lines = Lines::default();
+        lines.push("    switch hit.object {");
+        for (index, material) in scene.materials.iter().enumerate() {
+            let Some(cases) = self.cases(|m| m == index) else { continue };
+            let color = material.properties.iter().find(|(property, _)| *property == Property::Color);
+            let mut body = Body::default();
+            let number = match color {
+                Some((_, color)) => self.number(color, "at", &mut body, 12),
+                None => self.numbers.constant(Const::F32(0.8)),
+            };
+            lines.statement(8, "case ", &cases, ": {");
+            lines.extend(body.lines);
+            lines.statement(12, "return ", &number, ";");
+            lines.push("        }");
+        }
+        lines.push("        default: { return 0.0; }");
+        lines.push("    }");
+        lines
+    }
+
+    /// What `value` is made of, before it is a color.
+    fn number(&mut self, value: &Value, at: &str, body: &mut Body, indent: usize) -> Code {
+        let scene = self.scene;
+        match value {
+            Value::Texture(index) if scene.textures[*index].ty == Type::F32 => {
+                self.value(value, at, body, indent)
+            }
+            Value::Texture(index) => self.number(&scene.textures[*index].value, at, body, indent),
+            Value::Ramp(ramp) => {
+                let at = self.moved(ramp.at.as_deref(), at, body, indent);
+                self.value(&ramp.by, &at, body, indent)
+            }
+            Value::Grey(number) => self.value(number, at, body, indent),
+            color => Code::call("luminance", [self.value(color, at, body, indent)]),
+        }
+    }
+}
