@@ -260,3 +260,51 @@ fn merging_keeps_all_that_does_not_conflict() {
     eprintln!("{merged} merged, {conflicts} conflicts");
     assert!(merged > 30, "only {merged} merged");
 }
+
+#[test]
+fn a_drag_of_two_values_is_one_step_however_long_it_is() {
+    let mut history = History::new(TEXT);
+    let drag = |history: &mut History, x: f32, gesture: u64| {
+        for (at, x) in [("camera.fov_deg", x), ("objects.0.radius", 2.0 * x), ("objects.1.scale", x)] {
+            history.edit(set(at, x), Some(gesture)).unwrap();
+        }
+    };
+    (1..=500).for_each(|i| drag(&mut history, i as f32 / 8.0, 1));
+    let first = TEXT
+        .replace("fov_deg: 40", "fov_deg: 62.5")
+        .replace("radius: 1", "radius: 125")
+        .replace("\"#ff0000\")", "\"#ff0000\"), scale: 62.5");
+    assert_eq!(history.text(), first);
+    (1..=9).for_each(|i| drag(&mut history, i as f32, 2));
+    // What is not saved is merged with what an editor does.
+    let theirs = TEXT.replace("from the front", "from behind");
+    let mut merged = history.clone();
+    assert_eq!(merged.outside(&theirs), Ok(vec![]));
+    let last = first.replace("62.5", "9.0").replace("125", "18");
+    assert_eq!(merged.text(), last.replace("from the front", "from behind"));
+    assert!(history.undo());
+    assert_eq!(history.text(), first);
+    assert!(history.undo() && !history.undo());
+    assert_eq!(history.text(), TEXT);
+    assert!(history.is_saved());
+}
+
+#[test]
+fn a_step_that_is_abandoned_is_gone_for_good() {
+    let mut history = History::new(TEXT);
+    history.edit(set("camera.fov_deg", 50.0), Some(1)).unwrap();
+    let before = history.text().to_owned();
+    assert!(!history.abandon(2), "another gesture has made it");
+    history.edit(set("objects.1.scale", 2.0), Some(2)).unwrap();
+    history.edit(set("objects.1.scale", 3.0), Some(2)).unwrap();
+    assert!(history.abandon(2));
+    assert_eq!(history.text(), before);
+    assert!(!history.can_redo() && !history.abandon(2));
+    // What was done before is still not saved, and still can be undone.
+    let mut merged = history.clone();
+    let theirs = TEXT.replace("from the front", "from behind");
+    assert_eq!(merged.outside(&theirs), Ok(vec![]));
+    assert_eq!(merged.text(), theirs.replace("fov_deg: 40", "fov_deg: 50"));
+    assert!(history.undo());
+    assert_eq!(history.text(), TEXT);
+}

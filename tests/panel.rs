@@ -148,6 +148,9 @@ fn what_is_only_tried_stays_out_of_the_file_and_is_merged_with_it() {
 fn keys_and_the_palette_give_the_same_commands() {
     let Some((_home, _file, desk)) = chosen() else { return };
     desk.focus();
+    // Handles lie over the middle of what is chosen.
+    desk.press(&[], b'm'.into());
+    desk.wait_for_color(BALL[0], BALL[1], RED);
     desk.press(&[], b'v'.into());
     desk.wait_for_color(BALL[0], BALL[1], FACING);
     desk.press(&[SHIFT], b'v'.into());

@@ -18,7 +18,8 @@ fn read(text: impl AsRef<[u8]>) -> Settings {
 fn what_is_written_is_read_again() {
     let home = TempDir::new().expect("there is room for a folder");
     let place = home.path().join("a/b");
-    let mut settings = Settings { size: [900, 700], panel: 411.5, theme: Theme::Light, recent: vec![] };
+    let mut settings =
+        Settings { size: [900, 700], panel: 411.5, theme: Theme::Light, handles: false, recent: vec![] };
     settings.visit(&home.path().join("scene \"1\".ron"));
     settings.write(&place).expect("the folder is made");
     assert_eq!(Settings::read(&place), settings);

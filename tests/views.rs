@@ -155,7 +155,7 @@ fn two_views_are_beside_each_other_and_a_hand_moves_the_divider() {
 fn drag_divider(desk: &Desk, from: i16, to: i16) {
     desk.point([from, 250]);
     wait(desk, [from, 600], NEAR);
-    desk.take([from, 250]);
+    desk.hold([from, 250]);
     wait(desk, [from, 600], HELD);
     desk.point([to, 250]);
     wait(desk, [to, 600], HELD);

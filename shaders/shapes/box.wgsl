@@ -1,4 +1,5 @@
 /// A box along the axes.
+/// moves with min, max
 ///
 /// min = (-1, -1, -1): the corner with the smallest coordinates
 /// max = (1, 1, 1): the corner opposite

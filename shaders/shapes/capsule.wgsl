@@ -1,4 +1,5 @@
 /// A cylinder with a half ball on either end.
+/// moves with base, top
 ///
 /// base = (0, 0, 0): the middle of one ball
 /// top = (0, 1, 0): the middle of the other

@@ -1,4 +1,5 @@
 /// A cylinder, closed by two discs.
+/// moves with base, top
 ///
 /// base = (0, 0, 0): the middle of one disc
 /// top = (0, 1, 0): the middle of the other

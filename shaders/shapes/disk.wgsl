@@ -1,5 +1,6 @@
 /// A flat disc, or a ring cut from it; seen from both sides.
 /// encloses nothing, so that it cannot be a part of a solid
+/// moves with center
 ///
 /// center = (0, 0, 0): the middle
 /// normal = (0, 1, 0), nonzero: the way the disc faces; any length

@@ -1,4 +1,5 @@
 /// A ball stretched along the axes.
+/// moves with center
 ///
 /// center = (0, 0, 0): the middle
 /// radii = (1, 1, 1), 0.00001 to 100000: from the middle to the surface along x, y and z

@@ -1,5 +1,6 @@
 /// A curved sheet that fills a ball with two mazes which never meet (Schoen, Infinite Periodic Minimal
 /// Surfaces, 1970).
+/// moves with center
 ///
 /// center = (0, 0, 0): the middle of the ball
 /// radius = 1, 0.00001 to 100000: of the ball

@@ -1,4 +1,5 @@
 /// A six-sided prism, as the cells of a honeycomb.
+/// moves with center
 ///
 /// center = (0, 0, 0): the middle
 /// axis = (0, 1, 0), nonzero: the way from end to end; where it is y, two corners lie along x

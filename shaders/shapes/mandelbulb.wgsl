@@ -1,4 +1,5 @@
 /// A fractal with buds on its buds: the Mandelbrot set's rule, on directions of space.
+/// moves with center
 ///
 /// center = (0, 0, 0): the middle
 /// size = 1, 0.00001 to 100000: about its radius

@@ -1,4 +1,5 @@
 /// A cube with square tunnels through its faces, and through each of its smaller cubes again.
+/// moves with center
 ///
 /// center = (0, 0, 0): the middle
 /// size = 2, 0.00001 to 100000: length of an edge

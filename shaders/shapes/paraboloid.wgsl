@@ -1,4 +1,5 @@
 /// A dome: a parabola turned around its axis, closed by a disc.
+/// moves with base, top
 ///
 /// base = (0, 0, 0): the middle of the disc
 /// top = (0, 1, 0): the highest point

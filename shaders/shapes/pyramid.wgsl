@@ -1,4 +1,5 @@
 /// A square pyramid, whole or cut off.
+/// moves with base, top
 ///
 /// base = (0, 0, 0): the middle of one square
 /// top = (0, 1, 0): the middle of the other, or the tip

@@ -1,5 +1,6 @@
 /// A parallelogram, seen from both sides.
 /// encloses nothing, so that it cannot be a part of a solid
+/// moves with corner
 ///
 /// corner: the corner where both sides start
 /// u: one side, from the corner

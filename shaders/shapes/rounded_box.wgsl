@@ -1,4 +1,5 @@
 /// A box along the axes whose edges and corners are rounded off.
+/// moves with min, max
 ///
 /// min = (-1, -1, -1): the corner with the smallest coordinates, before rounding
 /// max = (1, 1, 1): the corner opposite

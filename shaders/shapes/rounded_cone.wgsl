@@ -1,4 +1,5 @@
 /// A ball at either end and the cone that touches both.
+/// moves with base, top
 ///
 /// base = (0, 0, 0): the middle of one ball
 /// top = (0, 1, 0): the middle of the other
@@ -88,9 +89,8 @@ fn roundedConeSurface(p: vec3f, base: vec3f, top: vec3f, base_radius: f32, top_r
     // The surface is that of a ball which rolls along the axis while its radius changes.
     let rolled = clamp((-q.z * cosine - apart * sine) / max(cosine, 1e-20), 0.0, size);
     let end = select(rolled, size, cosine == 0.0 && sine < 0.0);
-    let on_side = end > 0.0 && end < size;
     let ball = vec3f(q.xy, q.z + end - 1e-12);
-    let n = normalize(select(ball, vec3f(cosine / apart * q.xy, -sine), on_side));
+    let n = normalize(select(ball, vec3f(cosine / apart * q.xy, -sine), end > 0.0 && end < size));
     let normal = frame * n;
     let angle = atan2(n.y, select(n.x, 1e-20, abs(n.x) < 1e-20));
     // The height goes on over the balls as the length of their meridians.

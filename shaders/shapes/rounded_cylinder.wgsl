@@ -1,4 +1,5 @@
 /// A cylinder whose two rims are rounded off.
+/// moves with base, top
 ///
 /// base = (0, 0, 0): the middle of one end
 /// top = (0, 1, 0): the middle of the other

@@ -1,4 +1,5 @@
 /// Two balls that flow into each other where they are near.
+/// moves with a, b
 ///
 /// a = (-0.6, 0, 0): the middle of the first ball
 /// b = (0.7, 0.3, 0): the middle of the second

@@ -1,4 +1,5 @@
 /// A ball.
+/// moves with center
 ///
 /// center = (0, 0, 0): the middle of the ball
 /// radius = 1, 0.00001 to 100000: from the middle to the surface

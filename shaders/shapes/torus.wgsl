@@ -1,4 +1,5 @@
 /// A ring: a circle swept around an axis.
+/// moves with center
 ///
 /// center = (0, 0, 0): the middle of the hole
 /// axis = (0, 1, 0), nonzero: the ring's axis

@@ -17,6 +17,7 @@ pub enum Command {
     ChooseNothing,
     OnlyThis,
     Gizmos,
+    Handles,
     NextView,
     PreviousView,
     SplitView,
@@ -46,7 +47,7 @@ pub struct Entry {
 }
 
 /// Every command once, group by group.
-pub const COMMANDS: [Entry; 24] = [
+pub const COMMANDS: [Entry; 25] = [
     entry(
         Command::NewScene,
         "Scene",
@@ -104,6 +105,13 @@ pub const COMMANDS: [Entry; 24] = [
         "Gizmos",
         &[plain(Key::G)],
         "show lights, the camera's target and bounds",
+    ),
+    entry(
+        Command::Handles,
+        "Picture",
+        "Handles",
+        &[plain(Key::M)],
+        "show arrows by which to move what is chosen",
     ),
     entry(
         Command::NextView,
@@ -176,11 +184,14 @@ pub const COMMANDS: [Entry; 24] = [
 ];
 
 /// What the mouse does, and how.
-pub const GESTURES: [(&str, &str); 6] = [
+pub const GESTURES: [(&str, &str); 9] = [
     ("Turn the camera", "drag"),
     ("Move it", "right drag, Shift drag"),
     ("Bring it nearer", "wheel"),
     ("Choose an object", "click"),
+    ("Move what is chosen", "drag its arrows"),
+    ("In steps of 0.1", "Ctrl drag"),
+    ("Give a drag up", "Escape"),
     ("Duplicate, remove", "right click in the tree"),
     ("Open a scene", "drop its file"),
 ];

@@ -62,6 +62,13 @@ impl Document {
         self.gesture += 1;
     }
 
+    /// Takes back for good what was edited since the last [`Document::rest`]; whether that was anything.
+    pub fn abandon(&mut self) -> bool {
+        let gesture = self.gesture;
+        self.rest();
+        self.history.as_mut().is_some_and(|history| history.abandon(gesture))
+    }
+
     pub fn undo(&mut self) -> bool {
         self.rest();
         self.history.as_mut().is_some_and(History::undo)

@@ -17,6 +17,7 @@ mod editor;
 mod engine;
 mod events;
 mod focus;
+pub mod handles;
 mod messages;
 mod open;
 mod pace;

@@ -27,6 +27,8 @@ pub struct Settings {
     /// Width of the panel beside the picture, points.
     pub panel: f32,
     pub theme: Theme,
+    /// Whether what is chosen has handles.
+    pub handles: bool,
     /// The scenes that were open, the last one first; absolute.
     pub recent: Vec<PathBuf>,
 }
@@ -41,7 +43,7 @@ pub enum Theme {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { size: [1280, 720], panel: 320.0, theme: Theme::Dark, recent: vec![] }
+        Self { size: [1280, 720], panel: 320.0, theme: Theme::Dark, handles: true, recent: vec![] }
     }
 }
 

@@ -74,12 +74,13 @@ impl History {
             Some(step) => {
                 let before = step.back.apply(&self.text);
                 let edits = step.edits.get_or_insert_default();
-                if !coalesced(&mut edits.forth, &edit) {
-                    edits.forth.push(edit.clone());
-                    edits.back.insert(0, back);
+                let from = self.pending.len().saturating_sub(edits.forth.len());
+                if !coalesced(&mut self.pending[from..], &edit) {
+                    self.pending.push(edit.clone());
                 }
-                if !coalesced(&mut self.pending, &edit) {
-                    self.pending.push(edit);
+                if !coalesced(&mut edits.forth, &edit) {
+                    edits.forth.push(edit);
+                    edits.back.insert(0, back);
                 }
                 // From where the gesture began: numbers on the way have left nothing of their style.
                 new = edits.forth.iter().try_fold(before.clone(), |text, edit| {
@@ -108,6 +109,15 @@ impl History {
         self.text = step.back.apply(&self.text);
         self.take_back(&step);
         self.undone.push(step);
+        self.forget_pending_if_saved();
+        true
+    }
+
+    /// Takes the last step back for good, if `gesture` made it; whether it did. It cannot be made again.
+    pub fn abandon(&mut self, gesture: u64) -> bool {
+        let Some(step) = self.done.pop_if(|step| step.gesture == Some(gesture)) else { return false };
+        self.text = step.back.apply(&self.text);
+        self.take_back(&step);
         self.forget_pending_if_saved();
         true
     }
@@ -230,11 +240,15 @@ fn both_ways(before: &str, after: &str) -> (TextEdit, TextEdit) {
     (TextEdit::between(before, after), TextEdit::between(after, before))
 }
 
-/// Whether the last of `edits` sets the same value, and now sets the one of `edit`.
+/// Whether one of `edits` sets the same value, with nothing behind it that has to do with that. It then sets
+/// what `edit` does.
 fn coalesced(edits: &mut [Edit], edit: &Edit) -> bool {
-    match (edits.last_mut(), edit) {
-        (Some(Edit::Set { path, value }), Edit::Set { path: same, value: new }) if path == same => {
-            *value = new.clone();
+    let Edit::Set { path, value } = edit else { return false };
+    let is_apart = |other: &Path| !path.0.starts_with(&other.0) && !other.0.starts_with(&path.0);
+    let behind = |known: &&mut Edit| !matches!(known, Edit::Set { path, .. } if is_apart(path));
+    match edits.iter_mut().rev().find(behind) {
+        Some(Edit::Set { path: same, value: old }) if same == path => {
+            *old = value.clone();
             true
         }
         _ => false,

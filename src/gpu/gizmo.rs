@@ -24,22 +24,11 @@ const BOUNDS: Vec3 = Vec3::new(0.45, 0.9, 0.45);
 /// point at the camera's target. A spot: the same as a point, and its outer cone, whose side is as long as
 /// the way to the target along its axis. A rectangle: its sides, and an arrow along its normal.
 pub fn lights(scene: &Scene, camera: &Camera) -> Vec<Line> {
-    scene.lights.iter().flat_map(|light| light_lines(light, camera)).collect()
+    scene.lights.iter().flat_map(|light| self::light(light, camera)).collect()
 }
 
-/// A cross in the middle of the view, around which the camera turns.
-pub fn camera_target(camera: &Camera) -> Vec<Line> {
-    let Camera { target, .. } = *camera;
-    cross(target, sign_size(target, camera)).map(|ends| line(ends, TARGET)).into()
-}
-
-/// The twelve edges of each box that the author has drawn around a body.
-pub fn bounds(scene: &Scene) -> Vec<Line> {
-    let boxes = scene.bodies.iter().filter_map(|body| Some((body.bounds?, body.space.as_ref())));
-    boxes.flat_map(|((low, high), space)| box_edges(low, high, to_world(space))).collect()
-}
-
-fn light_lines(light: &ir::Light, camera: &Camera) -> Vec<Line> {
+/// One of them.
+pub fn light(light: &ir::Light, camera: &Camera) -> Vec<Line> {
     let brightest = light.emitted.max_element();
     let color = if brightest > 0.0 { light.emitted / brightest } else { Vec3::splat(0.2) };
     let ends = match light.kind {
@@ -53,6 +42,18 @@ fn light_lines(light: &ir::Light, camera: &Camera) -> Vec<Line> {
         LightKind::Rect { corner, u, v } => rectangle(corner, u, v, camera),
     };
     ends.into_iter().map(|ends| line(ends, color.powf(1.0 / 2.2))).collect()
+}
+
+/// A cross in the middle of the view, around which the camera turns.
+pub fn camera_target(camera: &Camera) -> Vec<Line> {
+    let Camera { target, .. } = *camera;
+    cross(target, sign_size(target, camera)).map(|ends| line(ends, TARGET)).into()
+}
+
+/// The twelve edges of each box that the author has drawn around a body.
+pub fn bounds(scene: &Scene) -> Vec<Line> {
+    let boxes = scene.bodies.iter().filter_map(|body| Some((body.bounds?, body.space.as_ref())));
+    boxes.flat_map(|((low, high), space)| box_edges(low, high, to_world(space))).collect()
 }
 
 fn ball(position: Vec3, radius: f32, camera: &Camera) -> Vec<[Vec3; 2]> {

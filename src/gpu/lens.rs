@@ -43,6 +43,11 @@ impl Lens {
         (point - self.eye).dot(self.forward)
     }
 
+    /// How wide and high a pixel is at the depth of a point before the eye, scene units.
+    pub fn pixel_size(&self, point: Vec3) -> f32 {
+        2.0 * self.half * self.depth(point) / self.size.y
+    }
+
     /// Where a point lies in the picture or beyond its edges. It must lie before the eye.
     pub fn pixel(&self, point: Vec3) -> Vec2 {
         let away = point - self.eye;

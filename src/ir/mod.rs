@@ -14,7 +14,7 @@ use glam::Vec3;
 
 pub use light::{Light, LightKind};
 pub use measure::Measure;
-pub use resolve::{default_name, resolve};
+pub use resolve::{default_name, placed, resolve};
 
 use crate::library::{Const, Function, Image, Model, Type};
 

@@ -22,7 +22,20 @@ pub fn doc_line(wgsl_name: &str, ty: Type, rest: &str) -> Result<Parameter, Stri
     let (default, is_color) = default(ty, default_text, &choices)?;
     let (default_text, doc) = (default_text.to_owned(), doc.trim().to_owned());
     let (name, wgsl_name) = (wgsl_name.trim_end_matches('_').to_owned(), wgsl_name.to_owned());
-    Ok(Parameter { name, wgsl_name, ty, default, default_text, range, nonzero, is_color, choices, doc })
+    let is_point = false;
+    Ok(Parameter {
+        name,
+        wgsl_name,
+        ty,
+        default,
+        default_text,
+        range,
+        nonzero,
+        is_color,
+        is_point,
+        choices,
+        doc,
+    })
 }
 
 /// The default and what stands behind the comma that follows it.

@@ -78,6 +78,8 @@ pub struct Parameter {
     pub nonzero: bool,
     /// A `vec3f` that is a color.
     pub is_color: bool,
+    /// A point of a shape, which moves as all its points move together: a doc line says so.
+    pub is_point: bool,
     /// The names of the values 0, 1, … of a `u32`.
     pub choices: Vec<String>,
     pub doc: String,

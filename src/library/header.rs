@@ -63,10 +63,14 @@ impl Header<'_> {
         let kind = self.kind(returns, start, &declared, problems)?;
         let docs = self.doc_lines(start);
         let own = &declared[1..];
-        let parameters = own.iter().filter_map(|d| self.parameter(d, &docs, problems)).collect();
+        let mut parameters: Vec<Parameter> =
+            own.iter().filter_map(|d| self.parameter(d, &docs, problems)).collect();
         self.check_strangers(own, &docs, problems);
         let traits = match kind {
-            Kind::Shape => self.shape_traits(own, &docs, problems),
+            Kind::Shape => {
+                self.mark_points(&mut parameters, &docs, problems);
+                self.shape_traits(own, &docs, problems)
+            }
             _ => Traits::default(),
         };
         let caption = docs.first().map_or("", |(line, _)| line).trim_end_matches('.').to_owned();

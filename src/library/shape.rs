@@ -2,13 +2,15 @@
 
 use std::ops::Range;
 
-use super::Family;
 use super::function::Traits;
 use super::header::{Declared, Header, Signature};
+use super::{Family, Parameter, Type};
 use crate::diagnostic::Diagnostic;
 
 /// A shape whose docs have a line that starts so cannot be a part of another.
 const OPEN: &str = "encloses nothing";
+/// A doc line that starts so names the shape's points: it moves as they move together.
+const POINTS: &str = "moves with ";
 
 impl Header<'_> {
     /// Whether the file gives a distance to the shape and leaves its crossings to raytoy.
@@ -48,6 +50,41 @@ impl Header<'_> {
             self.sibling("TexturePoint", &["p: vec3f"], &[], "vec3f", gives, problems);
         }
         Traits { is_open, is_endless, is_distance, places_textures, has_surface }
+    }
+
+    /// Marks the parameters that the docs call points of the shape.
+    pub fn mark_points(
+        &self,
+        parameters: &mut [Parameter],
+        docs: &[(&str, Range<usize>)],
+        problems: &mut Vec<Diagnostic>,
+    ) {
+        let lines = docs.iter().filter_map(|(line, span)| Some((line.strip_prefix(POINTS)?, span)));
+        for (names, span) in lines {
+            let mut at = span.start + POINTS.len();
+            for part in names.split(',') {
+                let (name, start) = (part.trim(), at + part.len() - part.trim_start().len());
+                at += part.len() + 1;
+                let place = self.place(start..start + name.len());
+                let wrong = |message: String| Diagnostic::error(message).at(place, "");
+                match parameters.iter_mut().find(|parameter| parameter.name == name) {
+                    Some(found) if found.ty == Type::Vec3 && !found.is_color && !found.nonzero => {
+                        found.is_point = true;
+                    }
+                    Some(_) => {
+                        let message = format!("`{name}` is no point that `{}` moves with", self.wgsl_name);
+                        problems.push(
+                            wrong(message).help("points are `vec3f`, and neither colors nor directions"),
+                        );
+                    }
+                    None => {
+                        let message = format!("`{}` has no parameter `{name}`", self.wgsl_name);
+                        let known = parameters.iter().map(|parameter| parameter.name.as_str());
+                        problems.push(wrong(message).suggest(name, known));
+                    }
+                }
+            }
+        }
     }
 
     /// Reports that `nameSUFFIX` is missing, or takes something else than `first` and the shape's parameters.

@@ -40,8 +40,8 @@ impl Writer<'_> {
         let control = self.control(&slot.wants, value, &path, &declared);
         let (label, doc) = (slot.label.to_owned(), slot.doc.to_owned());
         let span = value.map(|value| value.span.clone());
-        let Slot { unit, is_required, .. } = *slot;
-        Field { path, label, doc, unit, span, is_required, control, calls, declared }
+        let Slot { unit, is_required, is_point, .. } = *slot;
+        Field { path, label, doc, unit, span, is_required, is_point, control, calls, declared }
     }
 
     fn control(&self, wants: &Wants, value: Option<&Value>, path: &Path, declared: &[String]) -> Control {
@@ -148,7 +148,7 @@ impl Writer<'_> {
         let slots = [("place", "from low to high", place), ("color", "a color or a texture", color)];
         let fields = slots.into_iter().enumerate().map(|(i, (label, doc, wants))| {
             let path = path.item(i);
-            let slot = Slot { label, doc, unit: None, is_required: true, wants };
+            let slot = Slot { label, doc, unit: None, is_required: true, is_point: false, wants };
             self.field(&slot, item.step(&path.0[path.0.len() - 1]), path)
         });
         fields.collect()
@@ -160,7 +160,8 @@ impl Writer<'_> {
         let current = choices.iter().position(|choice| Some(choice.word) == written);
         let carried = current.and_then(|i| choices[i].carries.map(|number| (choices[i].word, number)));
         let fields = carried.map(|(label, number)| {
-            let slot = Slot { label, doc: "", unit: None, is_required: true, wants: number.into() };
+            let slot =
+                Slot { label, doc: "", unit: None, is_required: true, is_point: false, wants: number.into() };
             let path = path.item(0);
             self.field(&slot, value.and_then(|value| value.step(&path.0[path.0.len() - 1])), path)
         });

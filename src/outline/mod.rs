@@ -78,6 +78,8 @@ pub struct Field {
     pub span: Option<Range<usize>>,
     /// Whether it cannot be left out.
     pub is_required: bool,
+    /// Whether the thing moves where this and its other points move by the same way, in its own space.
+    pub is_point: bool,
     pub control: Control,
     /// Textures or mappings that could stand here as `Name()`.
     pub calls: Arc<[String]>,

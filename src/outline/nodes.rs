@@ -73,7 +73,14 @@ impl Writer<'_> {
                 NodeKind::Material => self.table(MATERIAL, Some(value), &path),
                 _ => {
                     let wants = Wants::Color { default: None, varies: true };
-                    let slot = Slot { label: &name.text, doc: "", unit: None, is_required: true, wants };
+                    let slot = Slot {
+                        label: &name.text,
+                        doc: "",
+                        unit: None,
+                        is_required: true,
+                        is_point: false,
+                        wants,
+                    };
                     vec![self.field(&slot, Some(value), path)]
                 }
             };

@@ -11,6 +11,8 @@ pub struct Slot<'a> {
     pub doc: &'a str,
     pub unit: Option<&'static str>,
     pub is_required: bool,
+    /// Whether it is one of the points that the thing around moves with.
+    pub is_point: bool,
     pub wants: Wants,
 }
 
@@ -70,8 +72,8 @@ impl Slot<'static> {
             Takes::Stops => Wants::Stops,
             Takes::Solids | Takes::Lights | Takes::Textures | Takes::Materials => return None,
         };
-        let Field { name, doc, unit, is_required, .. } = *field;
-        Some(Self { label: name, doc, unit, is_required, wants })
+        let Field { name, doc, unit, is_required, is_point, .. } = *field;
+        Some(Self { label: name, doc, unit, is_required, is_point, wants })
     }
 }
 
@@ -101,7 +103,8 @@ impl<'a> Slot<'a> {
             }
         };
         let unit = parameter.name.ends_with("_deg").then_some("degrees");
-        Self { label: &parameter.name, doc: &parameter.doc, unit, is_required: default.is_none(), wants }
+        let Parameter { name, doc, is_point, .. } = parameter;
+        Self { label: name, doc, unit, is_required: default.is_none(), is_point: *is_point, wants }
     }
 }
 

@@ -150,19 +150,26 @@ impl Desk {
         self.hand(xproto::BUTTON_RELEASE_EVENT, 1, to);
     }
 
-    /// Moves the pointer.
-    pub fn point(&self, at: [i16; 2]) {
+    /// Presses the first button and holds it down.
+    pub fn hold(&self, at: [i16; 2]) {
         self.hand(xproto::MOTION_NOTIFY_EVENT, 0, at);
-    }
-
-    /// Presses the first button and leaves it down.
-    pub fn take(&self, at: [i16; 2]) {
         self.hand(xproto::BUTTON_PRESS_EVENT, 1, at);
     }
 
     /// Lets the first button go.
     pub fn let_go(&self, at: [i16; 2]) {
         self.hand(xproto::BUTTON_RELEASE_EVENT, 1, at);
+    }
+
+    /// Presses the key with the X keysym `key` and holds it down, or lets it go.
+    pub fn hold_key(&self, key: u32, is_down: bool) {
+        let kind = if is_down { xproto::KEY_PRESS_EVENT } else { xproto::KEY_RELEASE_EVENT };
+        self.hand(kind, self.keycode(key), [0, 0]);
+    }
+
+    /// Moves the pointer.
+    pub fn point(&self, at: [i16; 2]) {
+        self.hand(xproto::MOTION_NOTIFY_EVENT, 0, at);
     }
 
     /// Presses the first button and lets it go.

@@ -48,6 +48,7 @@ impl Panel {
             ui.separator();
             for command in [
                 Command::Gizmos,
+                Command::Handles,
                 Command::OnlyThis,
                 Command::SplitView,
                 Command::Magnifier,

@@ -9,6 +9,8 @@ mod divider;
 mod facts;
 mod fields;
 mod gauge;
+mod handle_look;
+mod handles;
 mod inspector;
 mod magnifier;
 mod mistakes;
@@ -71,6 +73,7 @@ pub struct Panel {
     patient: bool,
     divider: divider::Divider,
     gauge: gauge::Gauge,
+    handles: handles::Handles,
     focus: Focus,
     picking: Picking,
     /// What was asked of the painter last.
@@ -142,6 +145,7 @@ impl Panel {
             patient: false,
             divider: divider::Divider::default(),
             gauge: gauge::Gauge::default(),
+            handles: handles::Handles::default(),
             focus: Focus::All,
             picking: Picking::default(),
             look: None,
@@ -246,6 +250,7 @@ impl Panel {
         let shown = egui::CentralPanel::no_frame().show(ui, |ui| self.picture(ui, picture));
         let look = shown.inner;
         self.measure(ui, shown.response.rect, &mut deeds);
+        deeds.edits.append(&mut self.handles.edits);
         let capture = self.capture_dialog(ui);
         self.palette(ui, &mut deeds);
         self.sheet(ui);
@@ -260,7 +265,11 @@ impl Panel {
             self.pending.note(&edit);
             is_new |= self.document.edit(edit);
         }
-        if (deeds.undo && self.document.undo()) || (deeds.redo && self.document.redo()) {
+        let takes_back = std::mem::take(&mut self.handles.takes_back);
+        if (takes_back && self.document.abandon())
+            || (deeds.undo && self.document.undo())
+            || (deeds.redo && self.document.redo())
+        {
             self.pending.clear();
             is_new = true;
         }

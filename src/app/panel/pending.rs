@@ -36,6 +36,11 @@ impl Pending {
         }
     }
 
+    /// Those of a number or a vector.
+    pub fn numbers(&self, path: &Path) -> Option<Vec<f32>> {
+        self.vector(path).or_else(|| self.number(path).map(|number| vec![number]))
+    }
+
     pub fn color(&self, path: &Path) -> Option<Vec3> {
         match self.0.get(path)? {
             NewValue::Color(color) => Some(*color),

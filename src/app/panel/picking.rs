@@ -1,14 +1,20 @@
 //! What lies under the pointer: a click chooses it, an outline shows what is chosen.
 
 use egui::{Color32, ColorImage, RichText, TextureHandle, TextureOptions, Ui};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
+use super::handles::Frame;
 use super::{ACCENT, Panel};
 use crate::app::editor;
 use crate::app::focus::Focus;
-use crate::gpu::{Identity, Seen};
+use crate::app::handles::to_segment;
+use crate::gpu::{Identity, Seen, gizmo};
+use crate::ir::Light;
 use crate::outline::{Node, NodeKind};
 use crate::scene::Path;
+
+/// How far from a light's gizmo a click chooses it, points.
+const NEAR: f32 = 5.0;
 
 /// What is known of the pixels of the picture, and what is asked of it.
 #[derive(Default)]
@@ -50,9 +56,34 @@ impl Panel {
         is_open && !matches!(self.focus, Focus::Material(_))
     }
 
-    pub(super) fn click(&mut self, pixel: [u32; 2]) {
+    /// Chooses what lies under a pixel of the picture in `area`: a light where its gizmo does.
+    pub(super) fn click(&mut self, ui: &Ui, area: egui::Rect, pixel: [u32; 2]) {
+        if let Some(light) = self.frame(ui, area).and_then(|frame| self.light_at(&frame, pixel)) {
+            self.picking.wanted = None;
+            self.picking.seen = None;
+            self.picking.is_new = true;
+            self.selected = Some(Path::default().field("lights").item(light));
+            return;
+        }
         self.picking.wanted = Some(pixel);
         self.pick();
+    }
+
+    /// The light whose gizmo is shown nearest to a pixel.
+    fn light_at(&self, frame: &Frame, pixel: [u32; 2]) -> Option<usize> {
+        let is_shown = self.gizmos && !matches!(self.focus, Focus::Material(_));
+        let scene = &self.compiled.as_ref().filter(|_| is_shown)?.scene;
+        let camera = self.camera.or(self.home)?;
+        let (lens, at) = (&frame.lens, Vec2::from(pixel.map(|x| x as f32 + 0.5)));
+        let away = |light: &Light| {
+            let lines = gizmo::light(light, &camera).into_iter();
+            let seen = lines.filter(|line| [line.from, line.to].iter().all(|end| lens.depth(*end) > 0.0));
+            let away = seen.map(|line| to_segment(at, lens.pixel(line.from), lens.pixel(line.to)));
+            away.min_by(f32::total_cmp)
+        };
+        let all = scene.lights.iter().enumerate().filter_map(|(i, light)| Some((i, away(light)?)));
+        let near = all.filter(|(_, away)| *away < NEAR * frame.scale);
+        near.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(light, _)| light)
     }
 
     fn pick(&mut self) {
@@ -73,7 +104,7 @@ impl Panel {
             self.picking.outline = None;
         } else if self.picking.outline.as_ref().is_none_or(|(objects, _)| *objects != chosen) {
             self.picking.outline = self.picking.identity.as_ref().map(|identity| {
-                let image = outlined(identity, &chosen);
+                let image = outlined(identity, &chosen, ui.ctx().pixels_per_point());
                 (chosen, ui.ctx().load_texture("outline", image, TextureOptions::NEAREST))
             });
         }
@@ -168,11 +199,15 @@ fn objects_of(node: &Node) -> Vec<u32> {
     own.into_iter().chain(node.nodes.iter().flat_map(objects_of)).collect()
 }
 
-fn outlined(identity: &Identity, objects: &[u32]) -> ColorImage {
+/// The outline of `objects`, a point of the screen wide, which is so many pixels.
+fn outlined(identity: &Identity, objects: &[u32], point: f32) -> ColorImage {
     let [width, height] = identity.size().map(|n| n as usize);
+    let wide = point.round().max(1.0) as usize;
     let mut image = ColorImage::filled([width, height], Color32::TRANSPARENT);
     for [x, y] in identity.outline(|object| objects.contains(&object)) {
-        image[(x as usize, y as usize)] = ACCENT;
+        let [x, y] = [x as usize, y as usize];
+        let pixels = (y..height.min(y + wide)).flat_map(|y| (x..width.min(x + wide)).map(move |x| (x, y)));
+        pixels.for_each(|pixel| image[pixel] = ACCENT);
     }
     image
 }

@@ -14,18 +14,23 @@ impl Panel {
             let font = egui::FontId::proportional(16.0);
             ui.painter().text(area.center(), egui::Align2::CENTER_CENTER, "compiling…", font, Color32::GRAY);
         }
-        self.move_camera(ui, &response, area);
+        let holds = self.take_handles(ui, &response, area);
+        if !holds {
+            self.move_camera(ui, &response, area);
+        }
         let points = ui.ctx().pixels_per_point();
-        if let Some(pointer) = response.interact_pointer_pos() {
+        if let Some(pointer) = response.interact_pointer_pos().filter(|_| !holds) {
             self.mouse = [(pointer.x - area.min.x) * points, (pointer.y - area.min.y) * points];
         }
         if response.clicked()
+            && !holds
             && let Some(pointer) = response.interact_pointer_pos()
         {
             let at = (pointer - area.min) * points;
-            self.click([at.x.max(0.0) as u32, at.y.max(0.0) as u32]);
+            self.click(ui, area, [at.x.max(0.0) as u32, at.y.max(0.0) as u32]);
         }
         self.show_choice(ui, area);
+        self.draw_handles(ui, &response, area);
         self.divide(ui, area);
         self.magnify(ui, area, response.hover_pos(), picture);
         if let Some((report, text)) = self.report.take() {

@@ -76,7 +76,8 @@ pub fn color(ui: &mut Ui, color: &mut Vec3, style: ColorStyle) -> bool {
         };
     }
     ui.spacing_mut().interact_size.x = 56.0;
-    ui.color_edit_button_rgb(&mut rgb);
+    // egui's way through hue and back loses digits: only what a hand has done counts.
+    let is_new = ui.color_edit_button_rgb(&mut rgb).changed();
     let how = match style {
         ColorStyle::Text => {
             let [r, g, b, _] = Color32::from(egui::Rgba::from_rgb(rgb[0], rgb[1], rgb[2])).to_array();
@@ -86,9 +87,8 @@ pub fn color(ui: &mut Ui, color: &mut Vec3, style: ColorStyle) -> bool {
         ColorStyle::Grey => format!("{:.3}", rgb[0]),
     };
     ui.add(egui::Label::new(RichText::new(how).monospace().weak().small()).truncate());
-    *color = rgb.map(|x| (x * 1e4).round() / 1e4).into();
-    if rgb == before.to_array() {
-        *color = before;
+    if is_new {
+        *color = rgb.map(|x| (x * 1e4).round() / 1e4).into();
     }
     *color != before
 }

@@ -16,6 +16,8 @@ pub struct Field {
     pub takes: Takes,
     /// Whether the author must give it.
     pub is_required: bool,
+    /// Whether it is one of the points that the thing around moves with.
+    pub is_point: bool,
     /// Of its numbers, where they are no scene units: `degrees`, `stops`.
     pub unit: Option<&'static str>,
     /// What it is, as LANGUAGE.md says it; empty where the name says all.
@@ -91,7 +93,7 @@ pub struct Group {
 }
 
 const fn field(name: &'static str, takes: Takes, doc: &'static str) -> Field {
-    Field { name, takes, is_required: false, unit: None, doc }
+    Field { name, takes, is_required: false, is_point: false, unit: None, doc }
 }
 
 const fn limits(default: Option<f32>, low: f32, high: f32) -> Number {
@@ -125,6 +127,10 @@ const fn word(word: &'static str) -> Choice {
 impl Field {
     const fn required(self) -> Self {
         Self { is_required: true, ..self }
+    }
+
+    const fn point(self) -> Self {
+        Self { is_point: true, ..self }
     }
 
     const fn unit(self, unit: &'static str) -> Self {

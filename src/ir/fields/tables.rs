@@ -81,7 +81,7 @@ pub const LIGHTS: &[Group] = &[
     Group {
         name: "Rect",
         fields: &[
-            vector("corner", None, ""),
+            vector("corner", None, "").point(),
             vector("u", None, "one side, from the corner"),
             vector("v", None, "the other side, from the corner"),
             FALLOFF,
@@ -91,7 +91,7 @@ pub const LIGHTS: &[Group] = &[
     },
 ];
 
-const POSITION: Field = vector("position", None, "where it is");
+const POSITION: Field = vector("position", None, "where it is").point();
 const LIGHT_RADIUS: Field = number("radius", 0.0, 0.0, 1e6, "softens shadows");
 const FALLOFF: Field = field(
     "falloff",

@@ -14,6 +14,7 @@ mod values;
 use std::collections::{BTreeMap, BTreeSet};
 
 pub use self::objects::default_name;
+pub use self::placement::placed;
 use self::reader::Fields;
 use super::{Camera, Material, Scene, Texture, Value, fields};
 use crate::diagnostic::{Diagnostic, Place, Severity};

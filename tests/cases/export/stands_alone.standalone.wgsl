@@ -157,6 +157,7 @@ fn planeContains(p: vec3f, normal: vec3f, offset: f32) -> bool {
 }
 
 /// A ball.
+/// moves with center
 ///
 /// center = (0, 0, 0): the middle of the ball
 /// radius = 1, 0.00001 to 100000: from the middle to the surface
