@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use raytoy::app::{Settings, Theme, folder};
+use raytoy::app::{Settings, Theme, cache, folder};
 use tempfile::TempDir;
 
 /// The settings read from a file that says `text`.
@@ -18,8 +18,13 @@ fn read(text: impl AsRef<[u8]>) -> Settings {
 fn what_is_written_is_read_again() {
     let home = TempDir::new().expect("there is room for a folder");
     let place = home.path().join("a/b");
-    let mut settings =
-        Settings { size: [900, 700], panel: 411.5, theme: Theme::Light, handles: false, recent: vec![] };
+    let mut settings = Settings {
+        size: [900, 700],
+        panel: 411.5,
+        theme: Theme::Light,
+        handles: false,
+        ..Settings::default()
+    };
     settings.visit(&home.path().join("scene \"1\".ron"));
     settings.write(&place).expect("the folder is made");
     assert_eq!(Settings::read(&place), settings);
@@ -79,6 +84,22 @@ fn a_program_that_drives_the_window_has_no_settings_unless_it_says_where() {
     assert_eq!(place(true, Some("here")), Some("here".into()));
     assert_eq!(place(false, Some("")), None);
     assert!(place(false, None).is_some_and(|folder| folder.ends_with("raytoy")));
+}
+
+#[test]
+fn pictures_that_can_be_drawn_again_lie_beside_the_settings_only_where_raytoy_config_says_so() {
+    let place = |is_driven, config: Option<&str>| {
+        let variables = [("RAYTOY_CONFIG", config), ("HOME", Some("/h")), ("LOCALAPPDATA", Some("C:\\a"))];
+        let value = |name: &str| variables.iter().find(|(known, _)| *known == name)?.1.map(OsString::from);
+        cache(is_driven, value)
+    };
+    assert_eq!(place(true, None), None);
+    assert_eq!(place(false, Some("")), None);
+    assert_eq!(place(true, Some("here")), Some("here/thumbnails".into()));
+    assert!(place(false, None).is_some_and(|folder| folder.ends_with("raytoy/thumbnails")));
+    if cfg!(target_os = "linux") {
+        assert_eq!(place(false, None), Some("/h/.cache/raytoy/thumbnails".into()));
+    }
 }
 
 #[cfg(target_os = "linux")]

@@ -7,6 +7,7 @@ use egui::{Key, KeyboardShortcut, Modifiers};
 /// Something that the window can be told to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
+    Gallery,
     NewScene,
     NewTexture,
     Undo,
@@ -14,6 +15,7 @@ pub enum Command {
     OnlyTry,
     Home,
     KeepView,
+    Bookmark,
     ChooseNothing,
     OnlyThis,
     Gizmos,
@@ -47,7 +49,14 @@ pub struct Entry {
 }
 
 /// Every command once, group by group.
-pub const COMMANDS: [Entry; 25] = [
+pub const COMMANDS: [Entry; 27] = [
+    entry(
+        Command::Gallery,
+        "Scene",
+        "Gallery",
+        &[command(Key::O)],
+        "find scenes, textures and shapes by their pictures",
+    ),
     entry(
         Command::NewScene,
         "Scene",
@@ -85,6 +94,13 @@ pub const COMMANDS: [Entry; 25] = [
         "go back to the scene's camera",
     ),
     entry(Command::KeepView, "Camera", "Keep view", &[plain(Key::K)], "write this camera into the scene"),
+    entry(
+        Command::Bookmark,
+        "Camera",
+        "Bookmark",
+        &[plain(Key::B)],
+        "keep this camera under the next free digit",
+    ),
     entry(
         Command::ChooseNothing,
         "Picture",
@@ -182,6 +198,10 @@ pub const COMMANDS: [Entry; 25] = [
     entry(Command::Theme, "Window", "Light or dark", &[plain(Key::L)], "change the colors of the window"),
     entry(Command::Quit, "Window", "Quit", &[command(Key::Q)], "close the window"),
 ];
+
+/// The keys of the digits 1 to 9, which stand for the bookmarks of a camera.
+pub const DIGITS: [Key; 9] =
+    [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num9];
 
 /// What the mouse does, and how.
 pub const GESTURES: [(&str, &str); 9] = [

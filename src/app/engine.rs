@@ -15,8 +15,9 @@ use super::painter;
 use super::panel;
 use super::screen::Screen;
 use super::settings::Theme;
+use super::thumbnails;
 use super::trial::Trial;
-use crate::gpu::{AdapterChoice, Gpu};
+use crate::gpu::Gpu;
 
 /// A window's device, and what stands on it.
 pub struct Engine {
@@ -26,6 +27,7 @@ pub struct Engine {
     pub builder: Sender<Order>,
     pub painter: Sender<Wish>,
     pub album: Album,
+    pub thumbnails: Sender<thumbnails::Wish>,
     /// That of the picture.
     gpu: Gpu,
 }
@@ -47,10 +49,11 @@ impl Engine {
     pub fn start(
         window: &Arc<Window>,
         display: OwnedDisplayHandle,
-        choice: &AdapterChoice,
+        options: &Options,
         (scene, trial, theme): (&Path, Trial, Theme),
         notify: impl Fn(Notice) + Clone + Send + Sync + 'static,
     ) -> Result<Self, String> {
+        let choice = &options.adapter;
         let screen = Screen::new(window.clone(), display, choice)?;
         // A software driver compiles while it draws, so the picture gets a device of its own.
         let shares_device = !screen.gpu.is_software();
@@ -64,6 +67,9 @@ impl Engine {
         }
         let painter = painter::start(gpu.clone(), shares_device, notify.clone());
         let wishes = painter.clone();
+        let news = notify.clone();
+        let thumbnails =
+            thumbnails::start(choice.clone(), options.cache.clone(), move |told| news(Notice::Gallery(told)));
         let album = Album::new(gpu.clone(), move || notify(Notice::Captured));
         let builder = builder::start(gpu.clone(), trial, move |built| drop(wishes.send(Wish::Built(built))));
         let _ = builder.send(Order::Open(scene.to_owned()));
@@ -78,7 +84,7 @@ impl Engine {
             None,
             Some(side),
         );
-        Ok(Self { screen, context, input, builder, painter, album, gpu })
+        Ok(Self { screen, context, input, builder, painter, album, thumbnails, gpu })
     }
 
     /// "llvmpipe (LLVM 15.0.6, 256 bits), Vulkan"

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use super::Remote;
 use super::builder::Built;
 use super::events::Change;
+use super::thumbnails;
 use crate::Compiled;
 use crate::diagnostic::Report;
 use crate::gpu::{GpuError, Identity, Split, View};
@@ -82,6 +83,8 @@ pub enum Notice {
     },
     /// What lies under each pixel of the picture that was asked for last.
     Identity(Box<Identity>),
+    /// What a gallery asked for.
+    Gallery(thumbnails::News),
     /// A capture has come further.
     Captured,
     /// The scene is wrong; nothing else changes.

@@ -7,6 +7,7 @@
 //! ```
 
 mod album;
+mod bookmarks;
 mod builder;
 mod camera;
 mod commands;
@@ -26,6 +27,7 @@ mod panel;
 mod screen;
 mod settings;
 mod templates;
+mod thumbnails;
 mod trial;
 mod window;
 
@@ -35,7 +37,7 @@ use std::sync::{Arc, Mutex};
 
 pub use commands::{COMMANDS, Command};
 pub use events::Event;
-pub use settings::{Settings, Theme, folder};
+pub use settings::{Settings, Theme, cache, folder};
 pub use templates::{new_scene, new_texture};
 
 use crate::gpu::AdapterChoice;
@@ -51,6 +53,8 @@ pub struct Options {
     pub remote: Option<Arc<Mutex<Receiver<Remote>>>>,
     /// The folder in which the window's [`Settings`] are kept, if they are.
     pub memory: Option<PathBuf>,
+    /// The folder for pictures that can be drawn again, if they are kept.
+    pub cache: Option<PathBuf>,
 }
 
 /// Something that a driving program can do and a hand cannot.

@@ -10,7 +10,7 @@ use winit::window::Window;
 use super::engine::Engine;
 use super::events::Event;
 use super::messages::{Look, Picture, Wish};
-use super::panel::{CaptureDeed, Panel};
+use super::panel::{CaptureDeed, Leaving, Panel};
 use super::settings::Memory;
 use super::trial::Trial;
 
@@ -77,7 +77,7 @@ impl Open {
     /// A scene that is let go over the window takes the place of the one there.
     pub fn drop_file(&mut self, file: PathBuf) {
         if file.extension().is_some_and(|ending| ending == "ron") {
-            let _ = self.engine.builder.send(self.panel.open(&file));
+            self.panel.leave(Leaving::Open(file));
             self.window.request_redraw();
         }
     }
@@ -93,6 +93,9 @@ impl Open {
                 Some(CaptureDeed::Take(order)) => self.engine.album.take(*order),
                 Some(CaptureDeed::Stop) => self.engine.album.stop(),
                 None => {}
+            }
+            for wish in reply.wishes {
+                let _ = self.engine.thumbnails.send(wish);
             }
             for order in reply.orders {
                 let _ = self.engine.builder.send(order);

@@ -3,12 +3,14 @@
 //! In: a folder, or none where nothing is to be remembered. Out: [`Settings`]. A file that is missing or
 //! damaged counts as none, and one that cannot be written is no reason to trouble anybody.
 
+use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 use winit::window::Window;
 
+use super::bookmarks::{Bookmark, Bookmarks};
 use crate::capture::write_file;
 
 /// Scenes that are remembered.
@@ -31,6 +33,8 @@ pub struct Settings {
     pub handles: bool,
     /// The scenes that were open, the last one first; absolute.
     pub recent: Vec<PathBuf>,
+    /// Cameras of scenes, by the scene's absolute path.
+    pub bookmarks: BTreeMap<PathBuf, Bookmarks>,
 }
 
 /// The window's colors.
@@ -43,7 +47,14 @@ pub enum Theme {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { size: [1280, 720], panel: 320.0, theme: Theme::Dark, handles: true, recent: vec![] }
+        Self {
+            size: [1280, 720],
+            panel: 320.0,
+            theme: Theme::Dark,
+            handles: true,
+            recent: vec![],
+            bookmarks: BTreeMap::new(),
+        }
     }
 }
 
@@ -78,14 +89,31 @@ impl Settings {
 
     /// Puts `scene` before the others that were open.
     pub fn visit(&mut self, scene: &Path) {
-        // JSON has no way to say a path that is not UTF-8.
-        let Some(scene) = std::path::absolute(scene).ok().filter(|path| path.to_str().is_some()) else {
-            return;
-        };
+        let Some(scene) = known_as(scene) else { return };
         self.recent.retain(|other| *other != scene);
         self.recent.insert(0, scene);
         self.recent.truncate(RECENT);
     }
+
+    /// The cameras that were kept of `scene`.
+    pub fn bookmarks(&self, scene: &Path) -> &[Bookmark] {
+        known_as(scene).and_then(|scene| self.bookmarks.get(&scene)).map_or(&[], |kept| kept.all())
+    }
+
+    /// Does `change` to them.
+    pub fn change_bookmarks(&mut self, scene: &Path, change: impl FnOnce(&mut Bookmarks)) {
+        let Some(scene) = known_as(scene) else { return };
+        let kept = self.bookmarks.entry(scene.clone()).or_default();
+        change(kept);
+        if kept.all().is_empty() {
+            self.bookmarks.remove(&scene);
+        }
+    }
+}
+
+/// By what a scene is remembered; None where JSON has no way to say its path, which is not UTF-8.
+fn known_as(scene: &Path) -> Option<PathBuf> {
+    std::path::absolute(scene).ok().filter(|path| path.to_str().is_some())
 }
 
 /// Settings as their file has them.
@@ -118,8 +146,25 @@ impl Memory {
 /// places, and nothing is remembered where it is empty or where a program drives the window without it.
 ///
 /// The places are those of the XDG Base Directory Specification, of Apple's File System Programming Guide and
-/// of Windows' known folder RoamingAppData.
+/// of Windows' known folders RoamingAppData and LocalAppData.
 pub fn folder(is_driven: bool, variable: impl Fn(&str) -> Option<OsString>) -> Option<PathBuf> {
+    let usual = ["APPDATA", "Library/Application Support", "XDG_CONFIG_HOME", ".config"];
+    place(is_driven, &variable, usual)
+}
+
+/// The folder for pictures that can be drawn again, in the same way.
+pub fn cache(is_driven: bool, variable: impl Fn(&str) -> Option<OsString>) -> Option<PathBuf> {
+    let usual = ["LOCALAPPDATA", "Library/Caches", "XDG_CACHE_HOME", ".cache"];
+    Some(place(is_driven, &variable, usual)?.join("thumbnails"))
+}
+
+/// The folder that `RAYTOY_CONFIG` names, or one of the user's own: on Windows in what a variable says, on
+/// macOS in a folder of the user's, elsewhere in what a variable says, or else in a folder of the user's.
+fn place(
+    is_driven: bool,
+    variable: &impl Fn(&str) -> Option<OsString>,
+    [windows, macos, unix, unset]: [&str; 4],
+) -> Option<PathBuf> {
     if let Some(folder) = variable("RAYTOY_CONFIG") {
         return (!folder.is_empty()).then(|| folder.into());
     }
@@ -127,11 +172,11 @@ pub fn folder(is_driven: bool, variable: impl Fn(&str) -> Option<OsString>) -> O
     let place = if is_driven {
         None
     } else if cfg!(target_os = "windows") {
-        set("APPDATA")
+        set(windows)
     } else if cfg!(target_os = "macos") {
-        set("HOME").map(|home| home.join("Library/Application Support"))
+        set("HOME").map(|home| home.join(macos))
     } else {
-        set("XDG_CONFIG_HOME").or_else(|| set("HOME").map(|home| home.join(".config")))
+        set(unix).or_else(|| set("HOME").map(|home| home.join(unset)))
     };
     place.map(|place| place.join("raytoy"))
 }

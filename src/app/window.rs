@@ -78,7 +78,7 @@ impl App<'_> {
         let proxy = self.proxy.clone();
         // A loop that has ended wants no more news.
         let notify = move |notice| drop(proxy.send_event((number, notice)));
-        Engine::start(window, event_loop.owned_display_handle(), &self.options.adapter, begun, notify)
+        Engine::start(window, event_loop.owned_display_handle(), &self.options, begun, notify)
     }
 
     /// Goes on with another device in place of one that is lost. What the author has done stays.
@@ -182,6 +182,7 @@ impl ApplicationHandler<(u32, Notice)> for App<'_> {
                 Notice::File(text) => {
                     let _ = open.engine.builder.send(open.panel.file_says(&text));
                 }
+                Notice::Gallery(news) => open.panel.hang(news),
                 Notice::Captured => open.panel.follow(&mut open.engine.album),
                 Notice::Identity(identity) => open.panel.know(identity),
                 Notice::Outline { outline, text } => open.panel.offer(outline, text),
@@ -205,7 +206,11 @@ impl ApplicationHandler<(u32, Notice)> for App<'_> {
             let Some(open) = &mut app.open else { return };
             let response = open.engine.input.on_window_event(&open.window, &event);
             match event {
-                WindowEvent::CloseRequested => event_loop.exit(),
+                WindowEvent::CloseRequested if open.panel.closes() => event_loop.exit(),
+                WindowEvent::CloseRequested => {
+                    open.window.focus_window();
+                    open.window.request_redraw();
+                }
                 WindowEvent::Resized(size) => {
                     open.engine.screen.resize(size.width, size.height);
                     open.window.request_redraw();

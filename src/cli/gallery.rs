@@ -8,7 +8,7 @@ use super::{Failure, Result, print_report, write_output};
 use crate::capture::jpeg;
 use crate::compile;
 use crate::gpu::{self, AdapterChoice, Gpu, Moment};
-use crate::library::{Family, Function, Kind, Library, Parameter, knot, sample};
+use crate::library::{Family, Function, Library, Parameter, sample};
 use crate::sources::Sources;
 use crate::wgsl::Mode;
 
@@ -50,9 +50,7 @@ pub fn run(folder: &Path) -> Result {
 }
 
 fn draw(gpu: &Gpu, here: &Path, function: &Function, folder: &Path) -> Result {
-    let scene = here.join("scenes/-");
-    let sources = Sources::on_disk(here).with(&scene, &tile(function));
-    let sources = sources.with(here.join("scenes").join(knot::FILE), &knot::obj());
+    let (sources, scene) = sample::shown(function, Sources::on_disk(here), &here.join("scenes"));
     let outcome = compile(&sources, &scene, Mode::Baked, None);
     let Some(compiled) = outcome.compiled else {
         print_report(&outcome.report);
@@ -61,36 +59,6 @@ fn draw(gpu: &Gpu, here: &Path, function: &Function, folder: &Path) -> Result {
     let moment = Moment::of(&compiled.scene);
     let picture = gpu::render(gpu, &compiled, &moment, SIZE, SAMPLES, &mut |_| ())?;
     write_output(&folder.join(format!("{}.jpg", function.name)), &jpeg(&picture)?)
-}
-
-/// A texture on a ball, a block and a floor; a shape on a floor.
-fn tile(function: &Function) -> String {
-    let stage = r##"
-        background: Gradient(zenith: "#5d88c9", horizon: "#dfe9f5"), ambient: 0.2,
-        lights: [Point(position: (4, 6, 5), radius: 0.4)],"##;
-    if function.kind == Kind::Shape {
-        let shape = sample::shape(function);
-        let shape = shape.strip_suffix(')').unwrap_or(&shape);
-        let comma = if shape.ends_with('(') { "" } else { ", " };
-        return format!(
-            r##"(camera: (eye: (2.6, 2.2, 4.4), target: (0, 0.1, 0), fov_deg: 34), {stage}
-                objects: [
-                    Plane(name: "floor", offset: -1.02, material: (color: Checker(even: 0.75, odd: 0.6))),
-                    {shape}{comma}name: "shape", material: (color: "#c96f4a", specular: 0.3)),
-                ])"##
-        );
-    }
-    let texture = sample::texture(function);
-    format!(
-        r#"(camera: (eye: (0.5, 2.8, 6), target: (0.1, 0.75, 0), fov_deg: 34), {stage}
-            materials: {{ "shown": (color: {texture}) }},
-            objects: [
-                Plane(material: "shown"),
-                Sphere(center: (-1.1, 1, 0), radius: 1, material: "shown"),
-                RoundedBox(min: (0.35, 0, -0.75), max: (1.85, 1.5, 0.75), radius: 0.03,
-                    rotate_deg: (0, 25, 0), material: "shown"),
-            ])"#
-    )
 }
 
 fn row(function: &Function) -> String {

@@ -20,9 +20,10 @@ pub fn run(options: &ViewOptions) -> Result {
         }
     };
     let (scene, adapter) = (options.scene.clone(), options.adapter.clone());
-    let memory = app::folder(options.events, |name| std::env::var_os(name));
+    let variable = |name: &str| std::env::var_os(name);
+    let (memory, cache) = (app::folder(options.events, variable), app::cache(options.events, variable));
     let remote = options.events.then(|| Arc::new(Mutex::new(remote())));
-    let window = app::Options { scene, size: options.size, adapter, memory, remote };
+    let window = app::Options { scene, size: options.size, adapter, memory, cache, remote };
     app::run(window, &on_event).map_err(Failure::Call)
 }
 

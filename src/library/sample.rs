@@ -1,6 +1,9 @@
 //! What to write in a scene to see a texture or a shape, if nothing else is known of it.
 
-use super::{Function, Kind, Parameter, Type, knot};
+use std::path::{Path, PathBuf};
+
+use super::{Function, Kind, Parameter, Type, function, knot};
+use crate::sources::Sources;
 
 /// `Name(…)` with what the author must give.
 pub fn call(function: &Function) -> String {
@@ -8,6 +11,54 @@ pub fn call(function: &Function) -> String {
     let arguments: Vec<String> =
         required.enumerate().map(|(i, p)| format!("{}: {}", p.name, stand_in(p, i))).collect();
     format!("{}({})", function.name, arguments.join(", "))
+}
+
+/// `Name(…)` with all that the author may give, at its default.
+pub fn full_call(function: &Function) -> String {
+    let value = |(i, p): (usize, &Parameter)| match p.default {
+        None => format!("{}: {}", p.name, stand_in(p, i)),
+        Some(_) if !p.choices.is_empty() => format!("{}: {}", p.name, function::name_of(&p.default_text)),
+        Some(_) => format!("{}: {}", p.name, p.default_text),
+    };
+    let arguments: Vec<String> = function.parameters.iter().enumerate().map(value).collect();
+    format!("{}({})", function.name, arguments.join(", "))
+}
+
+/// `sources` with a scene in `folder` that shows `function`, and the scene's path.
+pub fn shown(function: &Function, sources: Sources, folder: &Path) -> (Sources, PathBuf) {
+    // No file of an author's is called that.
+    let path = folder.join("-");
+    (sources.with(&path, &scene(function)).with(folder.join(knot::FILE), &knot::obj()), path)
+}
+
+/// A texture on a ball, a block and a floor; a shape on a floor.
+fn scene(function: &Function) -> String {
+    let stage = r##"
+        background: Gradient(zenith: "#5d88c9", horizon: "#dfe9f5"), ambient: 0.2,
+        lights: [Point(position: (4, 6, 5), radius: 0.4)],"##;
+    if function.kind == Kind::Shape {
+        let shape = shape(function);
+        let shape = shape.strip_suffix(')').unwrap_or(&shape);
+        let comma = if shape.ends_with('(') { "" } else { ", " };
+        return format!(
+            r##"(camera: (eye: (2.6, 2.2, 4.4), target: (0, 0.1, 0), fov_deg: 34), {stage}
+                objects: [
+                    Plane(name: "floor", offset: -1.02, material: (color: Checker(even: 0.75, odd: 0.6))),
+                    {shape}{comma}name: "shape", material: (color: "#c96f4a", specular: 0.3)),
+                ])"##
+        );
+    }
+    let texture = texture(function);
+    format!(
+        r#"(camera: (eye: (0.5, 2.8, 6), target: (0.1, 0.75, 0), fov_deg: 34), {stage}
+            materials: {{ "shown": (color: {texture}) }},
+            objects: [
+                Plane(material: "shown"),
+                Sphere(center: (-1.1, 1, 0), radius: 1, material: "shown"),
+                RoundedBox(min: (0.35, 0, -0.75), max: (1.85, 1.5, 0.75), radius: 0.03,
+                    rotate_deg: (0, 25, 0), material: "shown"),
+            ])"#
+    )
 }
 
 /// What the library's functions call the textures that they work on, and one that shows their work.

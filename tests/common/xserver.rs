@@ -179,8 +179,40 @@ impl Desk {
         self.hand(xproto::BUTTON_RELEASE_EVENT, 1, at);
     }
 
+    /// Asks the window to close, as a window manager does where its cross is pressed.
+    pub fn ask_to_close(&self) {
+        let atom = |name: &str| {
+            let asked = self.screen.intern_atom(false, name.as_bytes()).expect("the server is up");
+            asked.reply().expect("there is room for a name").atom
+        };
+        let (window, _) = self.window();
+        let data = [atom("WM_DELETE_WINDOW"), x11rb::CURRENT_TIME, 0, 0, 0];
+        let event = xproto::ClientMessageEvent::new(32, window, atom("WM_PROTOCOLS"), data);
+        let sent = self.screen.send_event(false, window, xproto::EventMask::NO_EVENT, event);
+        sent.expect("the server is up");
+        self.screen.flush().expect("the server is up");
+    }
+
+    /// Turns the wheel so many steps away from the hand.
+    pub fn roll(&self, at: [i16; 2], steps: u32) {
+        self.point(at);
+        for _ in 0..steps {
+            self.hand(xproto::BUTTON_PRESS_EVENT, 4, at);
+            self.hand(xproto::BUTTON_RELEASE_EVENT, 4, at);
+        }
+    }
+
     /// Gives the window the keyboard, which without a window manager nobody does. Returns the window's size.
     pub fn focus(&self) -> [u16; 2] {
+        let (window, size) = self.window();
+        let parent = xproto::InputFocus::PARENT;
+        self.screen.set_input_focus(parent, window, x11rb::CURRENT_TIME).expect("the server is up");
+        self.screen.flush().expect("the server is up");
+        size
+    }
+
+    /// raytoy's window, and its size.
+    fn window(&self) -> (xproto::Window, [u16; 2]) {
         let tree =
             self.screen.query_tree(self.root).expect("the server is up").reply().expect("there is a root");
         let sized = tree.children.into_iter().filter_map(|window| {
@@ -188,11 +220,7 @@ impl Desk {
             let size = self.screen.get_geometry(window).ok()?.reply().ok()?;
             (looks.map_state == xproto::MapState::VIEWABLE).then_some((window, [size.width, size.height]))
         });
-        let (window, size) = sized.max_by_key(|(_, size)| size[0]).expect("the window is open");
-        let parent = xproto::InputFocus::PARENT;
-        self.screen.set_input_focus(parent, window, x11rb::CURRENT_TIME).expect("the server is up");
-        self.screen.flush().expect("the server is up");
-        size
+        sized.max_by_key(|(_, size)| size[0]).expect("the window is open")
     }
 
     /// Presses the key with the X keysym `key` while those of `held` are down, and lets all go.

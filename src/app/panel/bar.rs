@@ -22,14 +22,20 @@ impl Panel {
         ui.horizontal(|ui| {
             self.main_menu(ui, deeds);
             ui.separator();
-            self.scene_menu(ui, deeds);
+            self.scene_menu(ui);
             view_menu(ui, "view", &mut self.view);
             ui.separator();
             for command in [Command::Undo, Command::Redo, Command::Home, Command::KeepView] {
                 self.button(ui, command, deeds);
             }
             ui.separator();
-            for command in [Command::Gizmos, Command::OnlyThis, Command::SavePicture, Command::SplitView] {
+            for command in [
+                Command::Gizmos,
+                Command::OnlyThis,
+                Command::SplitView,
+                Command::SavePicture,
+                Command::Gallery,
+            ] {
                 if ui.available_width() > ENOUGH {
                     self.button(ui, command, deeds);
                 }
@@ -43,6 +49,8 @@ impl Panel {
         let title = egui::Button::new(RichText::new("raytoy").strong().size(15.0)).frame(false);
         egui::containers::menu::MenuButton::from_button(title).ui(ui, |ui| {
             ui.set_min_width(180.0);
+            self.menu_item(ui, Command::Gallery, deeds);
+            ui.separator();
             self.menu_item(ui, Command::NewScene, deeds);
             self.menu_item(ui, Command::NewTexture, deeds);
             ui.separator();

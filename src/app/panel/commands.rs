@@ -2,7 +2,7 @@
 
 use egui::{Button, Context, KeyboardShortcut, Ui};
 
-use super::{Deeds, Panel, style};
+use super::{Deeds, Leaving, Panel, style};
 use crate::app::builder::Order;
 use crate::app::commands::{COMMANDS, Command, Entry};
 use crate::app::focus::Focus;
@@ -18,15 +18,30 @@ impl Panel {
         for command in self.pressed(ui) {
             self.perform(command, ui.ctx(), deeds);
         }
+        if self.cover().is_none() && self.leaving.is_none() {
+            self.digits(ui, is_typing(ui));
+        }
+    }
+
+    /// What opened the sheet that lies over all, which takes the keys for itself.
+    fn cover(&self) -> Option<Command> {
+        let covers = [
+            (self.palette.is_open(), Command::Palette),
+            (self.gallery.is_open(), Command::Gallery),
+            (self.shows_sheet, Command::CheatSheet),
+        ];
+        covers.into_iter().find(|(is_open, _)| *is_open).map(|(_, command)| command)
     }
 
     /// The commands whose keys were pressed. While somebody types, letters are no commands.
     fn pressed(&self, ui: &Ui) -> Vec<Command> {
-        let is_typing = ui.memory(|memory| memory.focused().is_some()) || egui::Popup::is_any_open(ui.ctx());
-        let is_free = |command: Command| match (self.palette.is_open(), self.shows_sheet) {
-            (true, _) => command == Command::Palette,
-            (_, true) => command == Command::CheatSheet,
-            _ => self.can(command),
+        if self.leaving.is_some() {
+            return vec![];
+        }
+        let is_typing = is_typing(ui);
+        let is_free = |command: Command| match self.cover() {
+            Some(cover) => command == cover,
+            None => self.can(command),
         };
         let mut commands = vec![];
         // egui takes Ctrl+Shift+Z for Ctrl+Z too, so keys with Shift are asked for first.
@@ -75,6 +90,7 @@ impl Panel {
         match command {
             Command::Undo => self.document.can_undo(),
             Command::Redo => self.document.can_redo(),
+            Command::Bookmark => self.home.is_some(),
             Command::Home | Command::KeepView => self.camera.is_some(),
             Command::ChooseNothing => self.selected.is_some() && !self.handles.is_held(),
             Command::OnlyThis => self.focus != Focus::All || self.focus_of_choice().is_some(),
@@ -100,16 +116,15 @@ impl Panel {
     pub(super) fn perform(&mut self, command: Command, context: &Context, deeds: &mut Deeds) {
         self.notice = None;
         match command {
-            Command::NewScene => match templates::new_scene(&self.scene) {
-                Ok(scene) => deeds.orders.push(self.open(&scene)),
-                Err(error) => self.notice = Some(format!("no scene can be written here: {error}")),
-            },
+            Command::Gallery => self.toggle_gallery(),
+            Command::NewScene => self.leave(Leaving::NewScene),
             Command::NewTexture => self.notice = Some(self.new_texture()),
             Command::Undo => deeds.undo = true,
             Command::Redo => deeds.redo = true,
             Command::OnlyTry => self.document.tries_only = !self.document.tries_only,
             Command::Home => self.camera = None,
             Command::KeepView => self.keep_view(deeds),
+            Command::Bookmark => self.keep_next_bookmark(),
             Command::ChooseNothing => self.selected = None,
             Command::OnlyThis => self.toggle_focus(deeds),
             Command::Gizmos => self.gizmos = !self.gizmos,
@@ -133,7 +148,7 @@ impl Panel {
                 };
                 style::choose(context, self.settings.theme);
             }
-            Command::Quit => deeds.quits = true,
+            Command::Quit => self.leave(Leaving::Quit),
         }
     }
 
@@ -180,6 +195,11 @@ impl Panel {
         let now = View::ALL.iter().position(|(_, view)| *view == self.view).unwrap_or(0);
         self.view = View::ALL[(now + step) % View::ALL.len()].1;
     }
+}
+
+/// Whether keys are meant for something that has the focus.
+fn is_typing(ui: &Ui) -> bool {
+    ui.memory(|memory| memory.focused().is_some()) || egui::Popup::is_any_open(ui.ctx())
 }
 
 /// The keys of a command, as people call them.

@@ -9,7 +9,7 @@ use super::tree::Tree;
 use super::{Deeds, Panel, picking};
 use crate::edit::Edit;
 use crate::library::Library;
-use crate::outline::{self, Node, Role};
+use crate::outline::{self, Node, NodeKind, Role};
 use crate::sources::Sources;
 
 impl Panel {
@@ -58,6 +58,9 @@ impl Panel {
         let texture = |name: &str| example(Role::Texture, name);
         let mut fields = Fields { edits: &mut deeds.edits, pending: &self.pending, example: &texture };
         fields.show(ui, &node.fields);
+        if node.kind == NodeKind::Camera {
+            self.bookmarks(ui);
+        }
     }
 
     /// What kind of thing it is, which can be another one.

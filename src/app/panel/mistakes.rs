@@ -1,8 +1,11 @@
 //! What is wrong with the scene, over its last good picture, each mistake a way to its line.
 
+use std::path::Path;
+
 use egui::{Color32, Frame, RichText, Ui};
 
 use super::{ACCENT, Panel};
+use crate::app::editor;
 use crate::diagnostic::{Diagnostic, Report};
 
 /// Shows the report over the lower part of `area`; the mistake whose place the author wants to see, if any.
@@ -28,7 +31,7 @@ pub fn show(ui: &mut Ui, area: egui::Rect, report: &Report, text: &str) -> Optio
                 ui.label(RichText::new(heading).color(color).strong());
                 ui.horizontal_wrapped(|ui| {
                     for problem in &report.diagnostics {
-                        let Some((file, line)) = Panel::line_of(report, problem) else { continue };
+                        let Some((file, line)) = line_of(report, problem) else { continue };
                         let link = RichText::new(format!("open {file}:{line}")).color(ACCENT).small();
                         if ui.link(link).on_hover_text(&problem.message).clicked() {
                             wanted = Some(problem.clone());
@@ -43,4 +46,21 @@ pub fn show(ui: &mut Ui, area: egui::Rect, report: &Report, text: &str) -> Optio
             });
         });
     wanted
+}
+
+impl Panel {
+    /// Opens the author's editor at the place of `problem`.
+    pub(super) fn open_place(&mut self, report: &Report, problem: &Diagnostic) {
+        if let Some((file, line)) = line_of(report, problem) {
+            self.notice = editor::open(file.as_ref(), line).err();
+        }
+    }
+}
+
+/// The file in which `problem` is, and its line; None where that is no file's.
+fn line_of(report: &Report, problem: &Diagnostic) -> Option<(String, usize)> {
+    let (place, _) = problem.labels.first()?;
+    let text = report.texts.get(&place.file)?;
+    let line = 1 + text.get(..place.span.start)?.matches('\n').count();
+    Path::new(&place.file).exists().then(|| (place.file.clone(), line))
 }

@@ -3,15 +3,19 @@
 //! In: pictures and outlines. Out: a [`Reply`] for each frame. It draws nothing itself and waits for nothing.
 
 mod bar;
+mod bookmarks;
 mod capture;
 mod commands;
+mod deeds;
 mod divider;
 mod facts;
 mod fields;
+mod gallery;
 mod gauge;
 mod handle_look;
 mod handles;
 mod inspector;
+mod leaving;
 mod magnifier;
 mod mistakes;
 mod palette;
@@ -32,18 +36,19 @@ use std::time::Instant;
 use egui::{TextureId, Ui};
 
 pub use self::capture::Deed as CaptureDeed;
+pub use self::deeds::Deeds;
+pub use self::leaving::Leaving;
 pub use self::pending::Pending;
 use self::picking::Picking;
 pub use self::style::{ACCENT, apply as apply_style};
 use super::builder::Order;
 use super::document::Document;
-use super::editor;
 use super::focus::Focus;
 use super::messages::{Clock, Look, Picture};
 use super::settings::{self, Settings};
+use super::thumbnails;
 use crate::Compiled;
-use crate::diagnostic::{Diagnostic, Report};
-use crate::edit::Edit;
+use crate::diagnostic::Report;
 use crate::gpu::View;
 use crate::ir::Camera;
 use crate::outline::Outline;
@@ -95,6 +100,9 @@ pub struct Panel {
     report: Option<(Report, String)>,
     pub dialog: capture::Dialog,
     palette: palette::Palette,
+    gallery: gallery::Gallery,
+    /// Where the author wants to go, while something is to be asked before.
+    leaving: Option<Leaving>,
     shows_sheet: bool,
     /// What could not be done, to be told once.
     notice: Option<String>,
@@ -112,18 +120,9 @@ enum Tab {
 pub struct Reply {
     pub look: Look,
     pub orders: Vec<Order>,
+    pub wishes: Vec<thumbnails::Wish>,
     pub capture: Option<capture::Deed>,
     pub quits: bool,
-}
-
-/// What is gathered while one frame is laid out.
-#[derive(Default)]
-struct Deeds {
-    edits: Vec<Edit>,
-    orders: Vec<Order>,
-    undo: bool,
-    redo: bool,
-    quits: bool,
 }
 
 impl Panel {
@@ -162,6 +161,8 @@ impl Panel {
             report: None,
             dialog: capture::Dialog::new(&scenes::stem(scene)),
             palette: palette::Palette::default(),
+            gallery: gallery::Gallery::default(),
+            leaving: None,
             shows_sheet: false,
             notice: None,
         }
@@ -176,6 +177,7 @@ impl Panel {
         self.picking = Picking::default();
         self.look = None;
         self.gauge.begin_again();
+        self.gallery.begin_again();
         [Order::Edited(self.document.overlay()), Order::Focus(self.focus.clone())]
     }
 
@@ -224,6 +226,8 @@ impl Panel {
     /// Lays everything out around `picture`.
     pub fn show(&mut self, ui: &mut Ui, picture: Option<TextureId>) -> Reply {
         let mut deeds = Deeds::default();
+        self.depart(ui, &mut deeds);
+        let asks = self.leaving.is_some();
         self.keys(ui, &mut deeds);
         egui::Panel::top("bar").show(ui, |ui| self.bar(ui, &mut deeds));
         if self.moves {
@@ -253,51 +257,12 @@ impl Panel {
         deeds.edits.append(&mut self.handles.edits);
         let capture = self.capture_dialog(ui);
         self.palette(ui, &mut deeds);
+        let wishes = self.gallery(ui, &mut deeds);
         self.sheet(ui);
         self.act(ui, &mut deeds);
-        Reply { look, orders: deeds.orders, capture, quits: deeds.quits }
-    }
-
-    /// Turns what was done into the scene's next text, and this into the file's once the hand rests.
-    fn act(&mut self, ui: &Ui, deeds: &mut Deeds) {
-        let mut is_new = false;
-        for edit in deeds.edits.drain(..) {
-            self.pending.note(&edit);
-            is_new |= self.document.edit(edit);
+        if self.leaving.is_some() && !asks {
+            ui.ctx().request_repaint();
         }
-        let takes_back = std::mem::take(&mut self.handles.takes_back);
-        if (takes_back && self.document.abandon())
-            || (deeds.undo && self.document.undo())
-            || (deeds.redo && self.document.redo())
-        {
-            self.pending.clear();
-            is_new = true;
-        }
-        let rests = !ui.input(|input| input.pointer.any_down());
-        if rests {
-            self.document.rest();
-        }
-        let saves = rests && !self.document.tries_only && !self.document.is_saved();
-        if saves {
-            self.document.save();
-        }
-        if is_new || (saves && self.document.is_saved()) {
-            deeds.orders.push(Order::Edited(self.document.overlay()));
-        }
-    }
-
-    /// Opens the author's editor at the place of `problem`.
-    fn open_place(&mut self, report: &Report, problem: &Diagnostic) {
-        if let Some((file, line)) = Self::line_of(report, problem) {
-            self.notice = editor::open(file.as_ref(), line).err();
-        }
-    }
-
-    /// The file in which `problem` is, and its line; None where that is no file's.
-    fn line_of(report: &Report, problem: &Diagnostic) -> Option<(String, usize)> {
-        let (place, _) = problem.labels.first()?;
-        let text = report.texts.get(&place.file)?;
-        let line = 1 + text.get(..place.span.start)?.matches('\n').count();
-        Path::new(&place.file).exists().then(|| (place.file.clone(), line))
+        Reply { look, orders: deeds.orders, wishes, capture, quits: deeds.quits }
     }
 }

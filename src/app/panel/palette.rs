@@ -8,7 +8,7 @@ use egui::{
 
 use super::commands::keys_of;
 use super::scenes::{full_name, stem};
-use super::{Deeds, Panel};
+use super::{Deeds, Leaving, Panel};
 use crate::app::commands::{COMMANDS, Command};
 use crate::gpu::View;
 
@@ -34,6 +34,7 @@ enum Item {
     Command(Command),
     View(View),
     Scene(PathBuf),
+    Bookmark(u8),
 }
 
 /// An item as it is shown.
@@ -73,7 +74,8 @@ impl Panel {
         match item {
             Item::Command(command) => self.perform(command, ui.ctx(), deeds),
             Item::View(view) => self.view = view,
-            Item::Scene(scene) => deeds.orders.push(self.open(&scene)),
+            Item::Scene(scene) => self.leave(Leaving::Open(scene)),
+            Item::Bookmark(digit) => self.go_to(digit),
         }
     }
 
@@ -92,7 +94,11 @@ impl Panel {
         let here = self.scenes.iter().filter(|path| **path != self.scene);
         let here = here.map(|path| scene(path, stem(path)));
         let elsewhere = self.recent.iter().map(|path| scene(path, full_name(path)));
-        commands.chain(views).chain(here).chain(elsewhere).collect()
+        let bookmarks = self.settings.bookmarks(&self.scene).iter().map(|known| {
+            let (name, keys) = (format!("Go to {}", known.title()), known.digit.to_string());
+            Line { item: Item::Bookmark(known.digit), name, does: String::new(), keys }
+        });
+        commands.chain(bookmarks).chain(views).chain(here).chain(elsewhere).collect()
     }
 }
 
@@ -165,7 +171,7 @@ impl Line {
 }
 
 /// How many words of `wanted` begin no word of `name`; None where it does not have them all somewhere.
-fn strangeness(name: &str, wanted: &str) -> Option<usize> {
+pub fn strangeness(name: &str, wanted: &str) -> Option<usize> {
     let (name, wanted) = (name.to_lowercase(), wanted.to_lowercase());
     let begins = |word: &str| name.split([' ', '_']).any(|own| own.starts_with(word));
     let mut words = wanted.split_whitespace();

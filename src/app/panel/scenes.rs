@@ -4,21 +4,21 @@ use std::path::{Path, PathBuf};
 
 use egui::{RichText, Ui};
 
-use super::{Deeds, Panel};
+use super::{Leaving, Panel};
 use crate::app::builder::Order;
 
 impl Panel {
     /// Goes on with another scene.
-    pub fn open(&mut self, scene: &Path) -> Order {
+    pub(super) fn open(&mut self, scene: &Path) -> Order {
         let (adapter, settings) = (std::mem::take(&mut self.adapter), std::mem::take(&mut self.settings));
         let known = Self::new(scene, adapter, settings);
         let (view, gizmos, tab, magnifies) = (self.view, self.gizmos, self.tab, self.magnifies);
-        let divider = std::mem::take(&mut self.divider);
-        *self = Self { view, gizmos, tab, magnifies, divider, ..known };
+        let (gallery, divider) = (std::mem::take(&mut self.gallery), std::mem::take(&mut self.divider));
+        *self = Self { view, gizmos, tab, magnifies, divider, gallery, ..known };
         Order::Open(scene.to_owned())
     }
 
-    pub(super) fn scene_menu(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+    pub(super) fn scene_menu(&mut self, ui: &mut Ui) {
         let mut chosen = None;
         egui::ComboBox::from_id_salt("scene")
             .width(150.0)
@@ -44,7 +44,7 @@ impl Panel {
                 }
             });
         if let Some(scene) = chosen {
-            deeds.orders.push(self.open(&scene));
+            self.leave(Leaving::Open(scene));
         }
     }
 }

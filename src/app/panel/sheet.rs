@@ -1,10 +1,10 @@
 //! The cheat sheet: all commands with their keys, and what the mouse does.
 
-use egui::{Align, Color32, Frame, Id, Layout, Modal, RichText, Ui};
+use egui::{Align, Color32, Frame, Id, KeyboardShortcut, Layout, Modal, Modifiers, RichText, Ui};
 
 use super::Panel;
 use super::commands::keys_of;
-use crate::app::commands::{COMMANDS, GESTURES};
+use crate::app::commands::{COMMANDS, DIGITS, GESTURES};
 
 /// The groups, column by column.
 const COLUMNS: [&[&str]; 2] = [&["Scene", "Camera", "Time", "Window"], &["Picture", "Mouse"]];
@@ -45,6 +45,11 @@ fn group(ui: &mut Ui, name: &str) {
     for entry in COMMANDS.iter().filter(|entry| entry.group == name) {
         let keys = keys_of(ui.ctx(), entry);
         line(ui, entry.name, &keys);
+    }
+    if name == "Camera" {
+        let first = KeyboardShortcut::new(Modifiers::COMMAND, DIGITS[0]);
+        line(ui, "Go to a bookmark", "1 to 9");
+        line(ui, "Keep one there", &format!("{} to 9", ui.ctx().format_shortcut(&first)));
     }
     ui.add_space(12.0);
 }

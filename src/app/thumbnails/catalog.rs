@@ -1,0 +1,154 @@
+//! What a gallery can show: scenes, and all that scenes can name.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::diagnostic::Report;
+use crate::library::{Family, Function, Library, sample};
+use crate::outline::{self, Role};
+use crate::sources::Sources;
+use crate::wgsl::Mode;
+use crate::{Compiled, compile};
+
+/// Something that has a picture.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Subject {
+    Scene(PathBuf),
+    /// What scenes call by this name.
+    Function(Family, String),
+}
+
+/// A subject, and what people are told of it.
+pub struct Item {
+    pub subject: Subject,
+    pub name: String,
+    /// Of a scene, its first comment.
+    pub caption: String,
+    /// None for scenes, and for a file with mistakes.
+    pub definition: Option<Definition>,
+}
+
+/// A texture, mapping or shape, as scenes write it.
+pub struct Definition {
+    pub function: Arc<Function>,
+    /// With no more than it must be given.
+    pub call: String,
+    /// With all that it takes.
+    pub full_call: String,
+}
+
+/// The scenes, by the names that people know them by, and what a scene in `folder` can name.
+pub fn catalog(folder: &Path, scenes: &[(PathBuf, String)]) -> Vec<Item> {
+    let sources = sources();
+    let library = Library::new(&sources, folder);
+    let scenes = scenes.iter().map(|(path, name)| Item {
+        subject: Subject::Scene(path.clone()),
+        name: name.clone(),
+        caption: sources.text(path).map_or(String::new(), |text| first_comment(&text)),
+        definition: None,
+    });
+    let functions = [Family::Texture, Family::Shape].into_iter().flat_map(|family| {
+        let names = library.names(family).into_iter();
+        names.map(|name| item(&library, family, name)).collect::<Vec<_>>()
+    });
+    scenes.chain(functions).collect()
+}
+
+impl Subject {
+    /// What is to be drawn of it, as a scene in `folder` sees it.
+    ///
+    /// # Errors
+    /// All mistakes that are in the way, as one text.
+    pub fn compiled(&self, folder: &Path) -> Result<Compiled, String> {
+        let (sources, path) = match self {
+            Subject::Scene(path) => (sources(), path.clone()),
+            Subject::Function(family, name) => {
+                let known = sources();
+                let found = Library::new(&known, folder).find(*family, name);
+                let function = found.map_err(|problems| {
+                    let diagnostics = problems.unwrap_or_default();
+                    Report { diagnostics, texts: known.texts() }.to_string()
+                })?;
+                sample::shown(&function, sources(), folder)
+            }
+        };
+        let outcome = compile(&sources, &path, Mode::Baked, None);
+        outcome.compiled.ok_or_else(|| outcome.report.to_string())
+    }
+}
+
+fn sources() -> Sources {
+    Sources::on_disk(&std::env::current_dir().unwrap_or_else(|_| Path::new(".").into()))
+}
+
+fn item(library: &Library<'_>, family: Family, name: String) -> Item {
+    let role = match family {
+        Family::Texture => Role::Texture,
+        Family::Shape => Role::Solid,
+    };
+    let definition = library.find(family, &name).ok().and_then(|function| {
+        let call = outline::example(role, &name, library)?;
+        Some(Definition { call, full_call: sample::full_call(&function), function })
+    });
+    let caption = definition.as_ref().map_or(String::new(), |known| known.function.caption.clone());
+    Item { subject: Subject::Function(family, name.clone()), name, caption, definition }
+}
+
+/// The words of the line that opens `text`, if that is a comment.
+fn first_comment(text: &str) -> String {
+    let line = text.lines().next().unwrap_or_default();
+    line.strip_prefix("//").unwrap_or_default().trim_matches(['/', ' ']).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_scene_is_captioned_by_the_comment_that_opens_it() {
+        assert_eq!(first_comment("// Two suns. \n// More.\n()"), "Two suns.");
+        assert_eq!(first_comment("(objects: []) // no"), "");
+        assert_eq!(first_comment(""), "");
+    }
+
+    #[test]
+    fn files_with_mistakes_are_there_and_say_what_is_wrong() {
+        let home = tempfile::TempDir::new().expect("there is room for a folder");
+        let folder = home.path();
+        std::fs::create_dir(folder.join("shapes")).expect("the folder is writable");
+        std::fs::write(folder.join("shapes/wrong.wgsl"), "fn other() {}").expect("the folder is writable");
+        let scene = folder.join("broken.ron");
+        std::fs::write(&scene, "// Shows nothing.\n(objects: [Spere()])").expect("the folder is writable");
+        let items = catalog(folder, &[(scene.clone(), "broken".into())]);
+        assert_eq!((&*items[0].name, &*items[0].caption), ("broken", "Shows nothing."));
+        let wrong = items.iter().find(|item| item.name == "Wrong").expect("it is listed");
+        assert!(wrong.definition.is_none());
+        let told = |subject: &Subject| subject.compiled(folder).err().unwrap_or_default();
+        assert!(told(&wrong.subject).contains("no function `wrong`"), "{}", told(&wrong.subject));
+        assert!(told(&items[0].subject).contains("did you mean `Sphere`?"), "{}", told(&items[0].subject));
+    }
+
+    #[test]
+    fn what_can_be_copied_can_stand_in_a_scene() {
+        let folder = Path::new("/nowhere");
+        for item in catalog(folder, &[]) {
+            let definition = item.definition.expect("what is built in has no mistakes");
+            let Subject::Function(family, _) = item.subject else { panic!("no scene was listed") };
+            for call in [&definition.call, &definition.full_call] {
+                if call.contains(".obj\"") {
+                    continue;
+                }
+                let scene = match (family, definition.function.kind) {
+                    (Family::Shape, _) => format!("(objects: [{call}])"),
+                    (_, crate::library::Kind::Mapping) => {
+                        format!("(objects: [Plane(material: (color: Checker(at: {call})))])")
+                    }
+                    _ => format!("(objects: [Plane(material: (color: {call}))])"),
+                };
+                let sources = Sources::in_memory().with("s.ron", &scene);
+                let outcome = compile(&sources, "s.ron".as_ref(), Mode::Baked, None);
+                assert!(outcome.compiled.is_some(), "{call}: {}", outcome.report);
+            }
+        }
+    }
+}
