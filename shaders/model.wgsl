@@ -41,7 +41,7 @@ fn modelCrossing(ray: Ray, model: Model) -> f32 {
     let highest = modelCorner(model.root + 1u);
     let radius = 0.5 * distance(lowest, highest);
     let start = max(nearestApproach(ray, 0.5 * (lowest + highest)) - radius * unit, 0.0);
-    let origin = ray.origin + start * ray.direction;
+    let origin = rayPoint(ray, start);
     let rest = Ray(origin, ray.t_min - start, ray.direction, ray.t_max - start);
     // A box must hold what crossedTriangle finds in it: that turns corners, which moves them by up to ten
     // roundings of their distance.

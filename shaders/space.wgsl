@@ -15,6 +15,8 @@ struct Placed {
     facet: vec3f,
     /// Object units to a unit of the world, about.
     scale: f32,
+    /// From the point that was asked for to the surface, along `facet`.
+    gap: f32,
 }
 
 fn pointInto(space: Space, p: vec3f) -> vec3f {
@@ -29,9 +31,9 @@ fn rayInto(space: Space, ray: Ray) -> Ray {
     return Ray(pointInto(space, ray.origin), ray.t_min, direction, ray.t_max);
 }
 
-/// A surface of an object that stands in the world as its shape describes it.
-fn placed(at: Surface) -> Placed {
-    return Placed(at, at.normal, at.facet, 1.0);
+/// A surface at `p` of an object that stands in the world as its shape describes it.
+fn placed(at: Surface, p: vec3f) -> Placed {
+    return Placed(at, at.normal, at.facet, 1.0, dot(at.position - p, at.facet));
 }
 
 /// A surface of a moved object. A normal goes back by the transpose of the map that points come by.
@@ -41,7 +43,10 @@ fn placedFrom(space: Space, at: Surface, world: vec3f) -> Placed {
     var seen = at;
     seen.world = world;
     let normal = normalize(to_world * at.normal);
-    return Placed(seen, normal, normalize(to_world * at.facet), pow(volume, 1.0 / 3.0));
+    let facet = to_world * at.facet;
+    let unit = 1.0 / length(facet);
+    let gap = dot(at.position - pointInto(space, world), at.facet) * unit;
+    return Placed(seen, normal, facet * unit, pow(volume, 1.0 / 3.0), gap);
 }
 
 /// The point of the unit sphere in `direction`, which is where a background is asked for its color.

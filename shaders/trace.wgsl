@@ -26,17 +26,18 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
     var waits = 0u;
     var branch = Branch(origin, 1.0, direction, 0.0, 0u);
     for (var rays = 0u; rays < MAX_RAYS; rays++) {
-        let hit = rayTraceScene(Ray(branch.origin, 0.0, branch.direction, NO_HIT));
+        let ray = Ray(branch.origin, 0.0, branch.direction, NO_HIT);
+        let hit = rayTraceScene(ray);
         let depth = branch.depth;
         seen.bounces = max(seen.bounces, depth);
         var follows = false;
         if hit.object == NO_OBJECT {
             seen.radiance += branch.weight * background(branch.direction);
         } else {
-            let p = branch.origin + hit.t * branch.direction;
             let v = -branch.direction;
             let width = branch.width + frame.pixel_spread * hit.t;
-            let seen_there = looked(hit.object, p, branch.direction, width);
+            let seen_there = looked(ray, hit, width);
+            let p = seen_there.point;
             let met = seen_there.met;
             let material = seen_there.material;
             let inside = dot(met.facet, v) < 0.0;
@@ -45,7 +46,8 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             n = select(n, -n, inside);
             // A bump may tilt the normal away from the viewer, who then sees the slope edge on.
             n = normalize(n + max(0.001 - dot(n, v), 0.0) * v);
-            let outside = spawnPoint(p, facing, hit.t);
+            // Back along the ray, too: where walls meet, rounding may put the point behind the other one.
+            let outside = spawnPoint(p, facing + v - dot(facing, v) * facing, hit.t);
             let shaded = shade(p, outside, n, v, material);
             if depth == 0u {
                 seen.depth = hit.t;

@@ -72,11 +72,15 @@ fn coneSurface(
     let apart = length(q.xy);
     let widening = (top_radius - base_radius) / size;
     let stretch = sqrt(1.0 + widening * widening);
-    if min(height, size - height) * stretch < abs(base_radius + widening * height - apart) {
-        return surface(p, select(-frame[2], frame[2], height < 0.5 * size), q.xy);
+    let depth = (base_radius + widening * height - apart) / stretch;
+    let end_depth = min(height, size - height);
+    if end_depth < abs(depth) {
+        let normal = select(-frame[2], frame[2], height < 0.5 * size);
+        return surface(p + end_depth * normal, normal, q.xy);
     }
     let outward = q.xy / max(apart, 1e-20);
     let angle = atan2(outward.y, select(outward.x, 1e-20, abs(outward.x) < 1e-20));
     let uv = vec2f(max(base_radius, top_radius) * angle, stretch * height);
-    return surface(p, normalize(frame * vec3f(outward, widening)), uv);
+    let normal = frame * vec3f(outward, widening) / stretch;
+    return surface(p + depth * normal, normal, uv);
 }

@@ -41,10 +41,14 @@ fn cylinderSurface(p: vec3f, base: vec3f, top: vec3f, radius: f32) -> Surface {
     let q = (p - base) * frame;
     let height = -q.z;
     let apart = length(q.xy);
-    if min(height, size - height) < abs(radius - apart) {
-        return surface(p, select(-frame[2], frame[2], height < 0.5 * size), q.xy);
+    let depth = radius - apart;
+    let end_depth = min(height, size - height);
+    if end_depth < abs(depth) {
+        let normal = select(-frame[2], frame[2], height < 0.5 * size);
+        return surface(p + end_depth * normal, normal, q.xy);
     }
     let outward = q.xy / max(apart, 1e-20);
     let angle = atan2(outward.y, select(outward.x, 1e-20, abs(outward.x) < 1e-20));
-    return surface(p, frame * vec3f(outward, 0.0), vec2f(radius * angle, height));
+    let normal = frame * vec3f(outward, 0.0);
+    return surface(p + depth * normal, normal, vec2f(radius * angle, height));
 }

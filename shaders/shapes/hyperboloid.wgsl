@@ -75,9 +75,10 @@ fn hyperboloidSurface(
     let apart = length(q.xy);
     let opening = hyperboloidOpening(size, end_radius, waist_radius);
     let slope = vec2f(apart, -opening * q.z);
-    let off = 0.5 * abs(apart * apart - waist_radius * waist_radius - opening * q.z * q.z);
+    let off = 0.5 * (apart * apart - waist_radius * waist_radius - opening * q.z * q.z);
+    let steepness = length(slope);
     let end_depth = 0.5 * size - abs(q.z);
-    if end_depth * length(slope) < off {
+    if end_depth * steepness < abs(off) {
         let normal = select(-frame[2], frame[2], q.z >= 0.0);
         return surface(p + end_depth * normal, normal, q.xy);
     }
@@ -87,5 +88,6 @@ fn hyperboloidSurface(
     // v as on the cone from the waist to an end.
     let stretch = length(vec2f(0.5 * size, end_radius - waist_radius)) / (0.5 * size);
     let uv = vec2f(max(end_radius, waist_radius) * angle, stretch * (0.5 * size - q.z));
-    return surface(p, frame * vec3f(tilt.x * outward, tilt.y), uv);
+    let normal = frame * vec3f(tilt.x * outward, tilt.y);
+    return surface(p - off / max(steepness, 1e-6) * normal, normal, uv);
 }

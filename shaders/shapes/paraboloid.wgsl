@@ -59,12 +59,14 @@ fn paraboloidSurface(p: vec3f, base: vec3f, top: vec3f, radius: f32) -> Surface 
     let opening = radius * radius / size;
     let slope = 2.0 * apart / opening;
     let stretch = sqrt(1.0 + slope * slope);
-    if (size - q.z) * stretch < abs(apart * apart / opening - q.z) {
+    let depth = (q.z - apart * apart / opening) / stretch;
+    if size - q.z < abs(depth) {
         return surface(p + (size - q.z) * frame[2], frame[2], q.xy);
     }
     let outward = q.xy / max(apart, 1e-20);
     let angle = atan2(outward.y, select(outward.x, 1e-20, abs(outward.x) < 1e-20));
     // v is the length of the meridian, from the highest point down.
     let uv = vec2f(radius * angle, -0.5 * apart * stretch - 0.25 * opening * asinh(slope));
-    return surface(p, frame * vec3f(slope * outward, -1.0) / stretch, uv);
+    let normal = frame * vec3f(slope * outward, -1.0) / stretch;
+    return surface(p + depth * normal, normal, uv);
 }

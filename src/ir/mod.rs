@@ -255,16 +255,17 @@ impl Object {
     }
 }
 
+impl Material {
+    /// Whether it varies over a surface, bumps aside.
+    pub fn is_textured(&self) -> bool {
+        self.properties.iter().any(|(_, value)| !matches!(value, Value::Const(_)))
+    }
+}
+
 impl Scene {
     /// Whether any material lets light through.
     pub fn transmits(&self) -> bool {
         let properties = self.materials.iter().flat_map(|m| &m.properties);
         properties.into_iter().any(|(property, _)| *property == Property::Transmission)
-    }
-
-    /// Whether any material varies over a surface.
-    pub fn is_textured(&self) -> bool {
-        let properties = self.materials.iter().flat_map(|m| &m.properties);
-        properties.into_iter().any(|(_, value)| !matches!(value, Value::Const(_)))
     }
 }

@@ -14,6 +14,7 @@ impl Writer<'_> {
                 lines.extend(self.material(index, material));
             }
         }
+        lines.extend(self.variation());
         lines.extend(self.bumps());
         lines.extend(self.background());
         lines.extend(self.textures());
@@ -73,6 +74,25 @@ impl Writer<'_> {
                 lines.statement(4, &format!("material.{field} = "), &code, ";");
             }
             lines.push("    return material;");
+        }
+        lines.push("}");
+        lines
+    }
+
+    fn variation(&self) -> Lines {
+        let varies = |material: usize| self.scene.materials[material].is_textured();
+        let mut lines = Lines::default();
+        lines.push("");
+        lines.push("/// Whether the material of `object` varies over its surface.");
+        lines.push("fn isTextured(object: u32) -> bool {");
+        match self.cases(varies) {
+            Some(cases) if self.cases(|material| !varies(material)).is_some() => {
+                lines.push("    switch object {");
+                lines.statement(8, "case ", &cases, ": { return true; }");
+                lines.push("        default: { return false; }");
+                lines.push("    }");
+            }
+            all => lines.push(format!("    return {};", all.is_some())),
         }
         lines.push("}");
         lines

@@ -233,8 +233,6 @@ impl<'a> Writer<'a> {
         let transmits = self.scene.transmits();
         lines.push("/// Whether any ray goes through a surface.");
         lines.push(format!("const TRANSMITS: bool = {transmits};"));
-        lines.push("/// Whether any material varies over a surface.");
-        lines.push(format!("const TEXTURED: bool = {};", self.scene.is_textured()));
         lines
     }
 }

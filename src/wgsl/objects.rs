@@ -89,7 +89,7 @@ impl Writer<'_> {
             };
             lines.push(format!("        case {}: {{", self.object_names[index]));
             let placed = match &written.space {
-                None => Code::call("placed", [on_shape(Code::atom("p"))]),
+                None => Code::call("placed", [on_shape(Code::atom("p")), Code::atom("p")]),
                 Some(space) => {
                     lines.statement(12, "let space = ", space, ";");
                     let local = Code::call("pointInto", [Code::atom("space"), Code::atom("p")]);
@@ -100,7 +100,7 @@ impl Writer<'_> {
             lines.push("        }");
         }
         lines.push("        default: {");
-        lines.push("            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));");
+        lines.push("            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);");
         lines.push("        }");
         lines.push("    }");
         lines

@@ -18,6 +18,7 @@ mod scene;
 #[cfg(test)]
 mod scene_checks;
 mod shade;
+mod shadow;
 #[cfg(test)]
 mod shape_checks;
 mod shapes;

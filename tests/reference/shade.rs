@@ -45,7 +45,7 @@ pub fn facing_normal(ray: Ray, hit: &Hit) -> Vec3 {
 }
 
 impl Object {
-    fn hit(&self, origin: Vec3, direction: Vec3, t_max: f64) -> Option<f64> {
+    pub fn hit(&self, origin: Vec3, direction: Vec3, t_max: f64) -> Option<f64> {
         let origin = self.transform.point_to_object(origin);
         let direction = self.transform.direction_to_object(direction);
         nearest_hit(&self.shape, origin.0, direction.0, 0.0, t_max)

@@ -38,6 +38,7 @@ struct Placed {
     vec3 normal;
     vec3 facet;
     float scale;
+    float gap;
 };
 struct Material {
     vec3 color;
@@ -91,6 +92,7 @@ struct Branch {
     uint depth;
 };
 struct Looked {
+    vec3 point;
     Placed met;
     Material material;
 };
@@ -102,7 +104,6 @@ const uint OBJECT_FLOOR = 0u;
 const uint OBJECT_BALL = 1u;
 const uint LIGHTS = 1u;
 const bool TRANSMITS = false;
-const bool TEXTURED = true;
 const uint NO_OBJECT = 4294967295u;
 const float SAME_PLACE = 4e-6;
 const float NO_HIT = 1e30;
@@ -111,6 +112,8 @@ const mat3x3 OCTAVE_TURN = mat3x3(vec3(0.48, 0.8, -0.36), vec3(-0.64, 0.6, 0.48)
 const vec3 OCTAVE_SHIFT = vec3(7.31, -3.57, 5.83);
 const uint MAX_WAITING = 9u;
 const uint MAX_RAYS = 1024u;
+const uint HIGH_HALF = 4294963200u;
+const float MOST_SLIP = 1e-6;
 const uint MOST_LOOKS = 9u;
 const float SPAWN_ERROR = 1e-5;
 const float MIN_WEIGHT = 0.001953125;
@@ -125,9 +128,9 @@ uint seed = 0u;
 
 float slackOf(Ray ray) {
     vec3 origin_3 = abs(ray.origin);
-    vec3 direction_5 = abs(ray.direction);
+    vec3 direction_4 = abs(ray.direction);
     float size = max(max(origin_3.x, origin_3.y), origin_3.z);
-    return ((SAME_PLACE * size) / max(max(direction_5.x, direction_5.y), direction_5.z));
+    return ((SAME_PLACE * size) / max(max(direction_4.x, direction_4.y), direction_4.z));
 }
 
 Hit noHit(Ray ray_1) {
@@ -213,8 +216,8 @@ bool sceneBlocks(Ray ray_8) {
     return false;
 }
 
-Placed placed(Surface at) {
-    return Placed(at, at.normal, at.facet, 1.0);
+Placed placed(Surface at, vec3 p) {
+    return Placed(at, at.normal, at.facet, 1.0, dot((at.position - p), at.facet));
 }
 
 Surface surface(vec3 position, vec3 normal_1, vec2 uv) {
@@ -238,38 +241,38 @@ mat2x3 flatTangents(vec3 n) {
     return mat2x3(u, ((dot(v_2, second) < 0.0) ? -(v_2) : v_2));
 }
 
-Surface planeSurface(vec3 p, vec3 normal_2, float offset_1) {
+Surface planeSurface(vec3 p_1, vec3 normal_2, float offset_1) {
     float size_1 = length(normal_2);
     vec3 n_4 = (normal_2 / vec3(size_1));
-    vec3 snapped = (p - ((dot(n_4, p) - (offset_1 / size_1)) * n_4));
+    vec3 snapped = (p_1 - ((dot(n_4, p_1) - (offset_1 / size_1)) * n_4));
     mat2x3 _e11 = flatTangents(n_4);
     Surface _e13 = surface(snapped, n_4, (snapped * _e11));
     return _e13;
 }
 
-Surface sphereSurface(vec3 p_1, vec3 center_2, float radius_1) {
-    vec3 normal_5 = normalize((p_1 - center_2));
+Surface sphereSurface(vec3 p_2, vec3 center_2, float radius_1) {
+    vec3 normal_5 = normalize((p_2 - center_2));
     float longitude = atan(normal_5.z, ((abs(normal_5.x) < 1e-20) ? 1e-20 : normal_5.x));
     float latitude = atan(normal_5.y, max(length(normal_5.xz), 1e-20));
     Surface _e24 = surface((center_2 + (radius_1 * normal_5)), normal_5, (radius_1 * vec2(longitude, latitude)));
     return _e24;
 }
 
-Placed surfaceAt(uint object_1, vec3 p_2) {
+Placed surfaceAt(uint object_1, vec3 p_3) {
     switch(object_1) {
         case 0u: {
-            Surface _e7 = planeSurface(p_2, vec3(0.0, 1.0, 0.0), 0.0);
-            Placed _e8 = placed(_e7);
+            Surface _e7 = planeSurface(p_3, vec3(0.0, 1.0, 0.0), 0.0);
+            Placed _e8 = placed(_e7, p_3);
             return _e8;
         }
         case 1u: {
-            Surface _e14 = sphereSurface(p_2, vec3(0.0, 1.0, 0.0), 1.0);
-            Placed _e15 = placed(_e14);
+            Surface _e14 = sphereSurface(p_3, vec3(0.0, 1.0, 0.0), 1.0);
+            Placed _e15 = placed(_e14, p_3);
             return _e15;
         }
         default: {
-            Surface _e22 = surface(p_2, vec3(0.0, 1.0, 0.0), vec2(0.0));
-            Placed _e23 = placed(_e22);
+            Surface _e22 = surface(p_3, vec3(0.0, 1.0, 0.0), vec2(0.0));
+            Placed _e23 = placed(_e22, p_3);
             return _e23;
         }
     }
@@ -333,7 +336,18 @@ Material materialAt(uint object_2, Surface at_4) {
     }
 }
 
-vec3 normalAt(uint object_3, Placed met) {
+bool isTextured(uint object_3) {
+    switch(object_3) {
+        case 0u: {
+            return true;
+        }
+        default: {
+            return false;
+        }
+    }
+}
+
+vec3 normalAt(uint object_4, Placed met) {
     return met.normal;
 }
 
@@ -358,18 +372,18 @@ vec3 ambientLight() {
     return vec3(0.1);
 }
 
-Light pointLight(vec3 p_3, vec3 position_1, float radius_2, vec3 color_1) {
-    return Light((position_1 - p_3), 1.0, color_1, radius_2, vec3(0.0), vec3(0.0));
+Light pointLight(vec3 p_4, vec3 position_1, float radius_2, vec3 color_1) {
+    return Light((position_1 - p_4), 1.0, color_1, radius_2, vec3(0.0), vec3(0.0));
 }
 
-Light lightAt(uint index, vec3 p_4) {
+Light lightAt(uint index, vec3 p_5) {
     switch(index) {
         case 0u: {
-            Light _e9 = pointLight(p_4, vec3(4.0, 6.0, 5.0), 0.5, vec3(1.0));
+            Light _e9 = pointLight(p_5, vec3(4.0, 6.0, 5.0), 0.5, vec3(1.0));
             return _e9;
         }
         default: {
-            Light _e13 = pointLight(p_4, p_4, 0.0, vec3(0.0));
+            Light _e13 = pointLight(p_5, p_5, 0.0, vec3(0.0));
             return _e13;
         }
     }
@@ -410,6 +424,21 @@ uint hashed(uint x_2) {
     return ((word >> 22u) ^ word);
 }
 
+vec3 rayPoint(Ray ray_9, float t_2) {
+    float t_high = uintBitsToFloat((floatBitsToUint(t_2) & HIGH_HALF));
+    float t_low = (t_2 - t_high);
+    vec3 high_1 = uintBitsToFloat((floatBitsToUint(ray_9.direction) & uvec3(4294963200u)));
+    vec3 low_1 = (ray_9.direction - high_1);
+    return ((((ray_9.origin + (t_high * high_1)) + (t_low * high_1)) + (t_high * low_1)) + (t_low * low_1));
+}
+
+vec3 slipAlong(Ray ray_10, float t_3, Placed there) {
+    float approach_1 = dot(there.facet, ray_10.direction);
+    float slip = (there.gap / ((abs(approach_1) < 1e-20) ? 1e-20 : approach_1));
+    float most = (4e-6 * t_3);
+    return (clamp(slip, -(most), most) * ray_10.direction);
+}
+
 Material summed(Material a, Material b) {
     return Material((a.color + b.color), (a.specular + b.specular), (a.emission + b.emission), (a.shininess + b.shininess), (a.reflectivity + b.reflectivity), b.fresnel, (a.transmission + b.transmission), b.ior);
 }
@@ -418,73 +447,85 @@ Material meanOf(Material sum, float share) {
     return Material((share * sum.color), (share * sum.specular), (share * sum.emission), (share * sum.shininess), (share * sum.reflectivity), sum.fresnel, (share * sum.transmission), sum.ior);
 }
 
-Looked looked(uint object_4, vec3 p_5, vec3 direction_2, float width_1) {
-    Looked seen = Looked(Placed(Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0), vec3(0.0), vec3(0.0), 0.0), Material(vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0));
-    uint looks = 1u;
+Looked looked(Ray ray_11, Hit hit_2, float width_1) {
+    Looked seen = Looked(vec3(0.0), Placed(Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0), vec3(0.0), vec3(0.0), 0.0, 0.0), Material(vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0));
+    bool corrected = false;
     float footprint = 0.0;
     vec3 step_ = vec3(0.0);
-    uint i = 0u;
+    uint looks = 1u;
+    uint look = 0u;
     bool local_2 = false;
     Surface at_6 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0);
-    bool loop_init = true;
+    vec3 _e6 = rayPoint(ray_11, hit_2.t);
+    seen.point = _e6;
     while(true) {
-        if (!loop_init) {
-            uint _e106 = i;
-            i = (_e106 + 1u);
-        }
-        loop_init = false;
-        uint _e14 = i;
-        uint _e15 = looks;
-        if ((_e14 < _e15)) {
+        uint _e18 = look;
+        uint _e19 = looks;
+        if ((_e18 < _e19)) {
         } else {
             break;
         }
         {
-            uint _e17 = i;
-            uint _e23 = i;
-            float place = (float(((_e17 + 1u) / 2u)) * (((_e23 & 1u) == 1u) ? 1.0 : -1.0));
-            vec3 _e32 = step_;
-            Placed _e35 = surfaceAt(object_4, (p_5 + (place * _e32)));
-            uint _e36 = i;
-            if ((_e36 == 0u)) {
-                seen.met = _e35;
-                float cosine_1 = max(abs(dot(_e35.normal, direction_2)), 0.02);
-                vec3 along = (direction_2 - (dot(direction_2, _e35.normal) * _e35.normal));
+            uint _e21 = look;
+            uint _e27 = look;
+            float place = (float(((_e21 + 1u) / 2u)) * (((_e27 & 1u) == 1u) ? 1.0 : -1.0));
+            vec3 _e38 = seen.point;
+            vec3 _e39 = step_;
+            Placed _e42 = surfaceAt(hit_2.object, (_e38 + (place * _e39)));
+            bool _e43 = corrected;
+            if (!(_e43)) {
+                corrected = true;
+                vec3 _e47 = slipAlong(ray_11, hit_2.t, _e42);
+                vec3 _e51 = seen.point;
+                if ((length(_e47) > (MOST_SLIP * length(_e51)))) {
+                    vec3 _e56 = seen.point;
+                    seen.point = (_e56 + _e47);
+                    continue;
+                }
+            }
+            uint _e58 = look;
+            if ((_e58 == 0u)) {
+                seen.met = _e42;
+                float cosine_1 = max(abs(dot(_e42.normal, ray_11.direction)), 0.02);
+                vec3 along = (ray_11.direction - (dot(ray_11.direction, _e42.normal) * _e42.normal));
                 uint wanted = ((2u * uint((0.5 / cosine_1))) + 1u);
-                if (TEXTURED) {
-                    local_2 = (width_1 > 0.0);
+                if ((width_1 > 0.0)) {
+                    bool _e87 = isTextured(hit_2.object);
+                    local_2 = _e87;
                 } else {
                     local_2 = false;
                 }
-                bool _e66 = local_2;
-                uint _e69 = zero;
-                looks = ((_e66 ? min(wanted, MOST_LOOKS) : 1u) + _e69);
-                uint _e77 = looks;
-                step_ = (((along / vec3(max(length(along), 1e-6))) * width_1) / vec3((cosine_1 * float(_e77))));
-                uint _e82 = looks;
-                footprint = (max(width_1, (width_1 / (cosine_1 * float(_e82)))) * _e35.scale);
-                seen.met.at.footprint = ((width_1 * _e35.scale) / cosine_1);
+                bool varies = local_2;
+                uint _e95 = zero;
+                looks = ((varies ? min(wanted, MOST_LOOKS) : 1u) + _e95);
+                uint _e103 = looks;
+                step_ = (((along / vec3(max(length(along), 1e-6))) * width_1) / vec3((cosine_1 * float(_e103))));
+                uint _e108 = looks;
+                footprint = (max(width_1, (width_1 / (cosine_1 * float(_e108)))) * _e42.scale);
+                seen.met.at.footprint = ((width_1 * _e42.scale) / cosine_1);
             }
-            at_6 = _e35.at;
-            float _e98 = footprint;
-            at_6.footprint = _e98;
-            Material _e101 = seen.material;
-            Surface _e102 = at_6;
-            Material _e103 = materialAt(object_4, _e102);
-            Material _e104 = summed(_e101, _e103);
-            seen.material = _e104;
+            at_6 = _e42.at;
+            float _e124 = footprint;
+            at_6.footprint = _e124;
+            Material _e127 = seen.material;
+            Surface _e129 = at_6;
+            Material _e130 = materialAt(hit_2.object, _e129);
+            Material _e131 = summed(_e127, _e130);
+            seen.material = _e131;
+            uint _e133 = look;
+            look = (_e133 + 1u);
         }
     }
-    Material _e110 = seen.material;
-    uint _e111 = looks;
-    Material _e115 = meanOf(_e110, (1.0 / float(_e111)));
-    seen.material = _e115;
-    Looked _e116 = seen;
-    return _e116;
+    Material _e137 = seen.material;
+    uint _e138 = looks;
+    Material _e142 = meanOf(_e137, (1.0 / float(_e138)));
+    seen.material = _e142;
+    Looked _e143 = seen;
+    return _e143;
 }
 
-vec3 spawnPoint(vec3 p_6, vec3 normal_3, float t_2) {
-    float size_2 = max(max(abs(p_6.x), abs(p_6.y)), max(abs(p_6.z), t_2));
+vec3 spawnPoint(vec3 p_6, vec3 normal_3, float t_4) {
+    float size_2 = max(max(abs(p_6.x), abs(p_6.y)), max(abs(p_6.z), t_4));
     return (p_6 + ((SPAWN_ERROR * size_2) * normal_3));
 }
 
@@ -498,7 +539,7 @@ mat3x3 frameAround(vec3 axis) {
 float visibleShare(Light light_2, vec3 origin) {
     vec2 spoke = vec2(0.0);
     float open = 0.0;
-    uint i_1 = 0u;
+    uint i = 0u;
     uint _e4 = frame.shadow_samples;
     uint _e6 = zero;
     uint rays_1 = (_e4 + _e6);
@@ -517,14 +558,14 @@ float visibleShare(Light light_2, vec3 origin) {
     uint _e56 = work;
     uint _e59 = frame.casters;
     work = (_e56 + (n_5 * _e59));
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_1) {
-            uint _e120 = i_1;
-            i_1 = (_e120 + 1u);
+        if (!loop_init) {
+            uint _e120 = i;
+            i = (_e120 + 1u);
         }
-        loop_init_1 = false;
-        uint _e66 = i_1;
+        loop_init = false;
+        uint _e66 = i;
         if ((_e66 < n_5)) {
         } else {
             break;
@@ -534,15 +575,15 @@ float visibleShare(Light light_2, vec3 origin) {
             float _e72 = spoke.y;
             float _e75 = spoke.x;
             spoke = ((-0.7373689 * _e68) + (0.6754903 * vec2(-(_e72), _e75)));
-            uint _e80 = i_1;
+            uint _e80 = i;
             vec2 _e87 = spoke;
             vec2 disk = (sqrt(((float(_e80) + turn.x) / float(n_5))) * _e87);
-            uint _e89 = i_1;
+            uint _e89 = i;
             vec2 square = ((2.0 * fract((turn + (float(_e89) * vec2(0.7548777, 0.5698403))))) - vec2(1.0));
             vec2 on = (round_ ? disk : square);
-            Ray ray_9 = Ray(origin, 0.0, ((light_2.to + (on.x * u_1)) + (on.y * v_3)), light_2.reach);
+            Ray ray_12 = Ray(origin, 0.0, ((light_2.to + (on.x * u_1)) + (on.y * v_3)), light_2.reach);
             float _e113 = open;
-            bool _e114 = sceneBlocks(ray_9);
+            bool _e114 = sceneBlocks(ray_12);
             open = (_e113 + (_e114 ? 0.0 : 1.0));
         }
     }
@@ -554,24 +595,24 @@ Shade shade(vec3 p_7, vec3 origin_1, vec3 n_1, vec3 v, Material material_1) {
     vec3 sum_1 = vec3(0.0);
     float visible = 0.0;
     float facing = 0.0;
-    uint i_2 = 0u;
+    uint i_1 = 0u;
     bool local_3 = false;
     vec3 _e6 = ambientLight();
     sum_1 = (material_1.emission + (_e6 * material_1.color));
-    bool loop_init_2 = true;
+    bool loop_init_1 = true;
     while(true) {
-        if (!loop_init_2) {
-            uint _e66 = i_2;
-            i_2 = (_e66 + 1u);
+        if (!loop_init_1) {
+            uint _e66 = i_1;
+            i_1 = (_e66 + 1u);
         }
-        loop_init_2 = false;
-        uint _e17 = i_2;
+        loop_init_1 = false;
+        uint _e17 = i_1;
         if ((_e17 < LIGHTS)) {
         } else {
             break;
         }
         {
-            uint _e20 = i_2;
+            uint _e20 = i_1;
             Light _e21 = lightAt(_e20, p_7);
             vec3 l = normalize(_e21.to);
             float cosine_2 = dot(n_1, l);
@@ -600,7 +641,7 @@ Shade shade(vec3 p_7, vec3 origin_1, vec3 n_1, vec3 v, Material material_1) {
     return Shade(_e68, (_e69 / max(_e70, 1.0)));
 }
 
-vec3 surfaceView(Hit hit_2, Placed met_1, vec3 n_2, vec3 v_1, vec3 albedo, float visibility) {
+vec3 surfaceView(Hit hit_3, Placed met_1, vec3 n_2, vec3 v_1, vec3 albedo, float visibility) {
     return vec3(0.0);
 }
 
@@ -612,16 +653,16 @@ float mirrored(Material material_2, float cosine) {
     return (r + ((1.0 - r) * pow(max((1.0 - cosine), 0.0), material_2.fresnel)));
 }
 
-vec3 refracted(vec3 direction_3, vec3 normal_4, float ratio) {
-    float cosine_3 = -(dot(direction_3, normal_4));
+vec3 refracted(vec3 direction_2, vec3 normal_4, float ratio) {
+    float cosine_3 = -(dot(direction_2, normal_4));
     float k = (1.0 - ((ratio * ratio) * (1.0 - (cosine_3 * cosine_3))));
     if ((k < 0.0)) {
-        return reflect(direction_3, normal_4);
+        return reflect(direction_2, normal_4);
     }
-    return ((ratio * direction_3) + (((ratio * cosine_3) - sqrt(k)) * normal_4));
+    return ((ratio * direction_2) + (((ratio * cosine_3) - sqrt(k)) * normal_4));
 }
 
-Seen traceTree(vec3 origin_2, vec3 direction_4) {
+Seen traceTree(vec3 origin_2, vec3 direction_3) {
     Seen seen_1 = Seen(vec3(0.0), -1.0, vec3(0.0), 4294967295u, 0u);
     Branch waiting[9] = Branch[9](Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u));
     uint waits = 0u;
@@ -637,14 +678,14 @@ Seen traceTree(vec3 origin_2, vec3 direction_4) {
     bool local_7 = false;
     bool local_8 = false;
     bool local_9 = false;
-    branch = Branch(origin_2, 1.0, direction_4, 0.0, 0u);
-    bool loop_init_3 = true;
+    branch = Branch(origin_2, 1.0, direction_3, 0.0, 0u);
+    bool loop_init_2 = true;
     while(true) {
-        if (!loop_init_3) {
-            uint _e238 = rays;
-            rays = (_e238 + 1u);
+        if (!loop_init_2) {
+            uint _e233 = rays;
+            rays = (_e233 + 1u);
         }
-        loop_init_3 = false;
+        loop_init_2 = false;
         uint _e21 = rays;
         if ((_e21 < MAX_RAYS)) {
         } else {
@@ -653,7 +694,8 @@ Seen traceTree(vec3 origin_2, vec3 direction_4) {
         {
             vec3 _e25 = branch.origin;
             vec3 _e27 = branch.direction;
-            Hit _e31 = rayTraceScene(Ray(_e25, 0.0, _e27, NO_HIT));
+            Ray ray_13 = Ray(_e25, 0.0, _e27, NO_HIT);
+            Hit _e31 = rayTraceScene(ray_13);
             uint depth = branch.depth;
             uint _e36 = seen_1.bounces;
             seen_1.bounces = max(_e36, depth);
@@ -665,49 +707,46 @@ Seen traceTree(vec3 origin_2, vec3 direction_4) {
                 vec3 _e49 = background(_e48);
                 seen_1.radiance = (_e44 + (_e46 * _e49));
             } else {
-                vec3 _e53 = branch.origin;
-                vec3 _e56 = branch.direction;
-                vec3 p_8 = (_e53 + (_e31.t * _e56));
-                vec3 _e60 = branch.direction;
-                vec3 v_4 = -(_e60);
-                float _e63 = branch.width;
-                float _e66 = frame.pixel_spread;
-                float width_2 = (_e63 + (_e66 * _e31.t));
-                vec3 _e72 = branch.direction;
-                Looked _e73 = looked(_e31.object, p_8, _e72, width_2);
-                Placed met_2 = _e73.met;
-                Material material_3 = _e73.material;
+                vec3 _e53 = branch.direction;
+                vec3 v_4 = -(_e53);
+                float _e56 = branch.width;
+                float _e59 = frame.pixel_spread;
+                float width_2 = (_e56 + (_e59 * _e31.t));
+                Looked _e63 = looked(ray_13, _e31, width_2);
+                vec3 p_8 = _e63.point;
+                Placed met_2 = _e63.met;
+                Material material_3 = _e63.material;
                 bool inside_2 = (dot(met_2.facet, v_4) < 0.0);
                 vec3 facing_1 = (inside_2 ? -(met_2.facet) : met_2.facet);
-                vec3 _e85 = normalAt(_e31.object, met_2);
-                n_3 = _e85;
-                vec3 _e87 = n_3;
-                vec3 _e88 = n_3;
-                n_3 = (inside_2 ? -(_e88) : _e87);
-                vec3 _e91 = n_3;
-                vec3 _e92 = n_3;
-                n_3 = normalize((_e91 + (max((0.001 - dot(_e92, v_4)), 0.0) * v_4)));
-                vec3 _e102 = spawnPoint(p_8, facing_1, _e31.t);
-                vec3 _e103 = n_3;
-                Shade _e104 = shade(p_8, _e102, _e103, v_4, material_3);
+                vec3 _e76 = normalAt(_e31.object, met_2);
+                n_3 = _e76;
+                vec3 _e78 = n_3;
+                vec3 _e79 = n_3;
+                n_3 = (inside_2 ? -(_e79) : _e78);
+                vec3 _e82 = n_3;
+                vec3 _e83 = n_3;
+                n_3 = normalize((_e82 + (max((0.001 - dot(_e83, v_4)), 0.0) * v_4)));
+                vec3 _e97 = spawnPoint(p_8, ((facing_1 + v_4) - (dot(facing_1, v_4) * facing_1)), _e31.t);
+                vec3 _e98 = n_3;
+                Shade _e99 = shade(p_8, _e97, _e98, v_4, material_3);
                 if ((depth == 0u)) {
                     seen_1.depth = _e31.t;
                     seen_1.object = _e31.object;
-                    vec3 _e112 = n_3;
-                    vec3 _e115 = surfaceView(_e31, met_2, _e112, v_4, material_3.color, _e104.visibility);
-                    seen_1.value = _e115;
+                    vec3 _e107 = n_3;
+                    vec3 _e110 = surfaceView(_e31, met_2, _e107, v_4, material_3.color, _e99.visibility);
+                    seen_1.value = _e110;
                 }
-                vec3 _e116 = n_3;
-                float _e121 = mirrored(material_3, clamp(dot(_e116, v_4), 0.0, 1.0));
-                float _e123 = branch.weight;
-                float stays = (_e123 * (1.0 - _e121));
-                vec3 _e128 = seen_1.radiance;
-                seen_1.radiance = (_e128 + ((stays * (1.0 - material_3.transmission)) * _e104.light));
-                uint _e138 = frame.max_bounces;
-                uint _e140 = zero;
-                bool deeper = (depth < (_e138 + _e140));
-                float _e144 = branch.weight;
-                float reflection = (_e144 * _e121);
+                vec3 _e111 = n_3;
+                float _e116 = mirrored(material_3, clamp(dot(_e111, v_4), 0.0, 1.0));
+                float _e118 = branch.weight;
+                float stays = (_e118 * (1.0 - _e116));
+                vec3 _e123 = seen_1.radiance;
+                seen_1.radiance = (_e123 + ((stays * (1.0 - material_3.transmission)) * _e99.light));
+                uint _e133 = frame.max_bounces;
+                uint _e135 = zero;
+                bool deeper = (depth < (_e133 + _e135));
+                float _e139 = branch.weight;
+                float reflection = (_e139 * _e116);
                 float refraction = (stays * material_3.transmission);
                 if (deeper) {
                     local_4 = (reflection >= MIN_WEIGHT);
@@ -720,8 +759,8 @@ Seen traceTree(vec3 origin_2, vec3 direction_4) {
                 } else {
                     local_5 = false;
                 }
-                bool _e158 = local_5;
-                if (_e158) {
+                bool _e153 = local_5;
+                if (_e153) {
                     local_6 = (refraction >= MIN_WEIGHT);
                 } else {
                     local_6 = false;
@@ -729,37 +768,37 @@ Seen traceTree(vec3 origin_2, vec3 direction_4) {
                 bool refracts = local_6;
                 vec3 into = branch.direction;
                 if (reflects) {
-                    vec3 _e167 = n_3;
-                    away = reflect(into, _e167);
-                    vec3 _e170 = away;
-                    vec3 _e171 = away;
-                    away = normalize((_e170 + (max((0.001 - dot(_e171, facing_1)), 0.0) * facing_1)));
-                    vec3 _e180 = away;
-                    branch = Branch(_e102, reflection, _e180, width_2, (depth + 1u));
+                    vec3 _e162 = n_3;
+                    away = reflect(into, _e162);
+                    vec3 _e165 = away;
+                    vec3 _e166 = away;
+                    away = normalize((_e165 + (max((0.001 - dot(_e166, facing_1)), 0.0) * facing_1)));
+                    vec3 _e175 = away;
+                    branch = Branch(_e97, reflection, _e175, width_2, (depth + 1u));
                 }
                 if (refracts) {
-                    vec3 _e184 = n_3;
-                    vec3 _e190 = refracted(into, _e184, (inside_2 ? material_3.ior : (1.0 / material_3.ior)));
-                    vec3 _e197 = spawnPoint(p_8, ((dot(_e190, facing_1) > 0.0) ? facing_1 : -(facing_1)), _e31.t);
-                    Branch beyond = Branch(_e197, refraction, _e190, width_2, (depth + 1u));
+                    vec3 _e179 = n_3;
+                    vec3 _e185 = refracted(into, _e179, (inside_2 ? material_3.ior : (1.0 / material_3.ior)));
+                    vec3 _e192 = spawnPoint(p_8, ((dot(_e185, facing_1) > 0.0) ? facing_1 : -(facing_1)), _e31.t);
+                    Branch beyond = Branch(_e192, refraction, _e185, width_2, (depth + 1u));
                     heavier = beyond;
                     if (!(!(reflects))) {
                         local_7 = (reflection > refraction);
                     } else {
                         local_7 = true;
                     }
-                    bool _e208 = local_7;
-                    if (_e208) {
-                        Branch _e209 = branch;
-                        heavier = _e209;
+                    bool _e203 = local_7;
+                    if (_e203) {
+                        Branch _e204 = branch;
+                        heavier = _e204;
                         branch = beyond;
                     }
                     if (reflects) {
-                        uint _e210 = waits;
-                        Branch _e212 = heavier;
-                        waiting[_e210] = _e212;
-                        uint _e214 = waits;
-                        waits = (_e214 + 1u);
+                        uint _e205 = waits;
+                        Branch _e207 = heavier;
+                        waiting[_e205] = _e207;
+                        uint _e209 = waits;
+                        waits = (_e209 + 1u);
                     }
                 }
                 if (!(reflects)) {
@@ -767,31 +806,31 @@ Seen traceTree(vec3 origin_2, vec3 direction_4) {
                 } else {
                     local_8 = true;
                 }
-                bool _e220 = local_8;
-                follows = _e220;
+                bool _e215 = local_8;
+                follows = _e215;
             }
-            bool _e221 = follows;
-            if (!(_e221)) {
+            bool _e216 = follows;
+            if (!(_e216)) {
                 if (false) {
-                    uint _e226 = waits;
-                    local_9 = (_e226 == 0u);
+                    uint _e221 = waits;
+                    local_9 = (_e221 == 0u);
                 } else {
                     local_9 = true;
                 }
-                bool _e230 = local_9;
-                if (_e230) {
+                bool _e225 = local_9;
+                if (_e225) {
                     break;
                 }
-                uint _e232 = waits;
-                waits = (_e232 - 1u);
-                uint _e234 = waits;
-                Branch _e236 = waiting[_e234];
-                branch = _e236;
+                uint _e227 = waits;
+                waits = (_e227 - 1u);
+                uint _e229 = waits;
+                Branch _e231 = waiting[_e229];
+                branch = _e231;
             }
         }
     }
-    Seen _e240 = seen_1;
-    return _e240;
+    Seen _e235 = seen_1;
+    return _e235;
 }
 
 Seen seenAt(vec2 pixel) {
@@ -803,7 +842,7 @@ Seen seenAt(vec2 pixel) {
     vec3 _e28 = frame.forward;
     vec3 _e32 = frame.right;
     vec3 _e38 = frame.up;
-    vec3 direction_6 = normalize(((_e28 + (place_1.x * _e32)) + (place_1.y * _e38)));
+    vec3 direction_5 = normalize(((_e28 + (place_1.x * _e32)) + (place_1.y * _e38)));
     uvec2 at_7 = uvec2(pixel);
     uint _e48 = frame.sample_;
     uint _e49 = hashed(_e48);
@@ -811,7 +850,7 @@ Seen seenAt(vec2 pixel) {
     uint _e53 = hashed((at_7.x + _e51));
     seed = _e53;
     vec3 _e56 = frame.eye;
-    Seen _e57 = traceTree(_e56, direction_6);
+    Seen _e57 = traceTree(_e56, direction_5);
     return _e57;
 }
 

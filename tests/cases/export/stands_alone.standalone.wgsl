@@ -43,8 +43,6 @@ const OBJECT_BALL: u32 = 1u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -67,13 +65,13 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_FLOOR: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_BALL: {
-            return placed(sphereSurface(p, vec3f(0.0, 1.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0, 1.0, 0.0), 1.0), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -95,6 +93,14 @@ fn ballMaterial(at: Surface) -> Material {
     var material = matte(vec3f(1.0, 0.12477182, 0.06301002));
     material.reflectivity = 0.2;
     return material;
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_FLOOR: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.
@@ -429,17 +435,18 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
     var waits = 0u;
     var branch = Branch(origin, 1.0, direction, 0.0, 0u);
     for (var rays = 0u; rays < MAX_RAYS; rays++) {
-        let hit = rayTraceScene(Ray(branch.origin, 0.0, branch.direction, NO_HIT));
+        let ray = Ray(branch.origin, 0.0, branch.direction, NO_HIT);
+        let hit = rayTraceScene(ray);
         let depth = branch.depth;
         seen.bounces = max(seen.bounces, depth);
         var follows = false;
         if hit.object == NO_OBJECT {
             seen.radiance += branch.weight * background(branch.direction);
         } else {
-            let p = branch.origin + hit.t * branch.direction;
             let v = -branch.direction;
             let width = branch.width + frame.pixel_spread * hit.t;
-            let seen_there = looked(hit.object, p, branch.direction, width);
+            let seen_there = looked(ray, hit, width);
+            let p = seen_there.point;
             let met = seen_there.met;
             let material = seen_there.material;
             let inside = dot(met.facet, v) < 0.0;
@@ -448,7 +455,8 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             n = select(n, -n, inside);
             // A bump may tilt the normal away from the viewer, who then sees the slope edge on.
             n = normalize(n + max(0.001 - dot(n, v), 0.0) * v);
-            let outside = spawnPoint(p, facing, hit.t);
+            // Back along the ray, too: where walls meet, rounding may put the point behind the other one.
+            let outside = spawnPoint(p, facing + v - dot(facing, v) * facing, hit.t);
             let shaded = shade(p, outside, n, v, material);
             if depth == 0u {
                 seen.depth = hit.t;
@@ -505,37 +513,81 @@ const MOST_LOOKS: u32 = 9u;
 
 /// A surface and its material as a pixel sees them.
 struct Looked {
+    /// In world space.
+    point: vec3f,
     met: Placed,
     material: Material,
 }
 
-/// `object` at the world point `p`, where a ray `width` wide arrives along `direction`. Seen at a slant the
-/// footprint is long: several looks along it, each about square, do not blur across it.
-fn looked(object: u32, p: vec3f, direction: vec3f, width: f32) -> Looked {
+/// What `ray` meets at `hit`, where it is `width` wide. Seen at a slant the footprint is long: several looks
+/// along it, each about square, do not blur across it.
+fn looked(ray: Ray, hit: Hit, width: f32) -> Looked {
     var seen: Looked;
-    var looks = 1u;
+    seen.point = rayPoint(ray, hit.t);
+    var corrected = false;
     var footprint = 0.0;
     var step = vec3f(0.0);
-    for (var i = 0u; i < looks; i++) {
+    var looks = 1u;
+    var look = 0u;
+    while look < looks {
         // 0, 1, -1, 2, -2, …
-        let place = f32((i + 1u) / 2u) * select(-1.0, 1.0, (i & 1u) == 1u);
-        let there = surfaceAt(object, p + place * step);
-        if i == 0u {
+        let place = f32((look + 1u) / 2u) * select(-1.0, 1.0, (look & 1u) == 1u);
+        let there = surfaceAt(hit.object, seen.point + place * step);
+        if !corrected {
+            corrected = true;
+            let slip = slipAlong(ray, hit.t, there);
+            if length(slip) > MOST_SLIP * length(seen.point) {
+                seen.point += slip;
+                continue;
+            }
+        }
+        if look == 0u {
             seen.met = there;
-            let cosine = max(abs(dot(there.normal, direction)), 0.02);
-            let along = direction - dot(direction, there.normal) * there.normal;
+            let cosine = max(abs(dot(there.normal, ray.direction)), 0.02);
+            let along = ray.direction - dot(ray.direction, there.normal) * there.normal;
             let wanted = 2u * u32(0.5 / cosine) + 1u;
-            looks = select(1u, min(wanted, MOST_LOOKS), TEXTURED && width > 0.0) + zero;
+            let varies = width > 0.0 && isTextured(hit.object);
+            looks = select(1u, min(wanted, MOST_LOOKS), varies) + zero;
             step = along / max(length(along), 1e-6) * width / (cosine * f32(looks));
             footprint = max(width, width / (cosine * f32(looks))) * there.scale;
             seen.met.at.footprint = width * there.scale / cosine;
         }
         var at = there.at;
         at.footprint = footprint;
-        seen.material = summed(seen.material, materialAt(object, at));
+        seen.material = summed(seen.material, materialAt(hit.object, at));
+        look++;
     }
     seen.material = meanOf(seen.material, 1.0 / f32(looks));
     return seen;
+}
+
+// Where a ray meets a surface, from near and far.
+
+/// How far beside the surface a point may lie, as a share of its way from the world's origin.
+const MOST_SLIP: f32 = 1e-6;
+
+/// The bits of a number that its first twelve digits are in.
+const HIGH_HALF: u32 = 0xfffff000u;
+
+/// The ray's point at `t`. Far from the ray's origin the product needs more digits than a number has. So the
+/// factors are cut in halves, whose products are exact (after Dekker, A Floating-Point Technique, 1971). With
+/// fma it would be one line, but Mesa's software driver rounds twice there too.
+fn rayPoint(ray: Ray, t: f32) -> vec3f {
+    let t_high = bitcast<f32>(bitcast<u32>(t) & HIGH_HALF);
+    let t_low = t - t_high;
+    let high = bitcast<vec3f>(bitcast<vec3u>(ray.direction) & vec3u(HIGH_HALF));
+    let low = ray.direction - high;
+    return ray.origin + t_high * high + t_low * high + t_high * low + t_low * low;
+}
+
+/// The way along `ray` from its point at `t` to the surface `there`, which was asked for at that point: a
+/// step of Newton's method. From far away t itself has too few digits for it.
+fn slipAlong(ray: Ray, t: f32, there: Placed) -> vec3f {
+    let approach = dot(there.facet, ray.direction);
+    let slip = there.gap / select(approach, 1e-20, abs(approach) < 1e-20);
+    // More than its rounding it cannot be; what is more comes of a surface seen edge on.
+    let most = 4e-6 * t;
+    return clamp(slip, -most, most) * ray.direction;
 }
 
 // Light at a surface: Blinn-Phong from each light that the surface sees.
@@ -773,6 +825,8 @@ struct Placed {
     facet: vec3f,
     /// Object units to a unit of the world, about.
     scale: f32,
+    /// From the point that was asked for to the surface, along `facet`.
+    gap: f32,
 }
 
 fn pointInto(space: Space, p: vec3f) -> vec3f {
@@ -787,9 +841,9 @@ fn rayInto(space: Space, ray: Ray) -> Ray {
     return Ray(pointInto(space, ray.origin), ray.t_min, direction, ray.t_max);
 }
 
-/// A surface of an object that stands in the world as its shape describes it.
-fn placed(at: Surface) -> Placed {
-    return Placed(at, at.normal, at.facet, 1.0);
+/// A surface at `p` of an object that stands in the world as its shape describes it.
+fn placed(at: Surface, p: vec3f) -> Placed {
+    return Placed(at, at.normal, at.facet, 1.0, dot(at.position - p, at.facet));
 }
 
 /// A surface of a moved object. A normal goes back by the transpose of the map that points come by.
@@ -799,7 +853,10 @@ fn placedFrom(space: Space, at: Surface, world: vec3f) -> Placed {
     var seen = at;
     seen.world = world;
     let normal = normalize(to_world * at.normal);
-    return Placed(seen, normal, normalize(to_world * at.facet), pow(volume, 1.0 / 3.0));
+    let facet = to_world * at.facet;
+    let unit = 1.0 / length(facet);
+    let gap = dot(at.position - pointInto(space, world), at.facet) * unit;
+    return Placed(seen, normal, facet * unit, pow(volume, 1.0 / 3.0), gap);
 }
 
 /// The point of the unit sphere in `direction`, which is where a background is asked for its color.

@@ -10,8 +10,6 @@ const OBJECT_BALL: u32 = 1u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -34,13 +32,13 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_FLOOR: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_BALL: {
-            return placed(sphereSurface(p, vec3f(0.0, 1.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0, 1.0, 0.0), 1.0), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -62,6 +60,14 @@ fn ballMaterial(at: Surface) -> Material {
     var material = matte(vec3f(1.0, 0.12477182, 0.06301002));
     material.reflectivity = 0.2;
     return material;
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_FLOOR: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

@@ -11,8 +11,6 @@ const OBJECT_CONE_3: u32 = 3u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -53,19 +51,25 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_BOX_0: {
-            return placed(boxSurface(p, vec3f(-3.2, -0.6, -0.8), vec3f(-1.8, 0.8, 0.8)));
+            return placed(boxSurface(p, vec3f(-3.2, -0.6, -0.8), vec3f(-1.8, 0.8, 0.8)), p);
         }
         case OBJECT_ROUNDEDBOX_1: {
-            return placed(roundedBoxSurface(p, vec3f(-1.3, -0.6, -0.8), vec3f(0.1, 0.8, 0.8), 0.3));
+            return placed(
+                roundedBoxSurface(p, vec3f(-1.3, -0.6, -0.8), vec3f(0.1, 0.8, 0.8), 0.3),
+                p,
+            );
         }
         case OBJECT_CYLINDER_2: {
-            return placed(cylinderSurface(p, vec3f(1.2, -0.6, 0.0), vec3f(1.2, 1.0, 0.3), 0.6));
+            return placed(cylinderSurface(p, vec3f(1.2, -0.6, 0.0), vec3f(1.2, 1.0, 0.3), 0.6), p);
         }
         case OBJECT_CONE_3: {
-            return placed(coneSurface(p, vec3f(2.9, -0.6, 0.0), vec3f(2.9, 1.4, 0.0), 0.8, 0.25));
+            return placed(
+                coneSurface(p, vec3f(2.9, -0.6, 0.0), vec3f(2.9, 1.4, 0.0), 0.8, 0.25),
+                p,
+            );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -95,6 +99,11 @@ fn cylinder2Material(at: Surface) -> Material {
 
 fn cone3Material(at: Surface) -> Material {
     return matte(vec3f(0.7230551, 0.35153264, 0.7230551));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return false;
 }
 
 /// The world normal of `object` at `met`.

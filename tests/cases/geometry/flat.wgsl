@@ -12,8 +12,6 @@ const OBJECT_QUAD_3: u32 = 3u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -64,10 +62,13 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 2.0, 0.0), -1.0));
+            return placed(planeSurface(p, vec3f(0.0, 2.0, 0.0), -1.0), p);
         }
         case OBJECT_DISK_1: {
-            return placed(diskSurface(p, vec3f(-2.4, 0.6, 0.0), vec3f(0.3, 0.4, -1.0), 1.0, 0.4));
+            return placed(
+                diskSurface(p, vec3f(-2.4, 0.6, 0.0), vec3f(0.3, 0.4, -1.0), 1.0, 0.4),
+                p,
+            );
         }
         case OBJECT_TRIANGLE_2: {
             return placed(
@@ -77,15 +78,17 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                     vec3f(0.0, 1.6, 0.0),
                     vec3f(0.9, -0.4, -0.4),
                 ),
+                p,
             );
         }
         case OBJECT_QUAD_3: {
             return placed(
                 quadSurface(p, vec3f(1.4, -0.6, 0.0), vec3f(1.6, 0.0, -0.8), vec3f(0.3, 1.8, 0.0)),
+                p,
             );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -122,6 +125,14 @@ fn quad3Material(at: Surface) -> Material {
             vec3f(0.0409152, 0.05448028, 0.07618539),
         ),
     );
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_QUAD_3: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

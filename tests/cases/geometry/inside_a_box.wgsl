@@ -10,8 +10,6 @@ const OBJECT_CYLINDER_1: u32 = 1u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -43,15 +41,16 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_BOX_0: {
-            return placed(boxSurface(p, vec3f(-3.0, -2.0, -3.0), vec3f(3.0, 2.0, 3.0)));
+            return placed(boxSurface(p, vec3f(-3.0, -2.0, -3.0), vec3f(3.0, 2.0, 3.0)), p);
         }
         case OBJECT_CYLINDER_1: {
             return placed(
                 cylinderSurface(p, vec3f(-0.5, -2.0, -1.0), vec3f(-0.5, -0.6, -1.0), 0.5),
+                p,
             );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -78,6 +77,14 @@ fn box0Material(at: Surface) -> Material {
 
 fn cylinder1Material(at: Surface) -> Material {
     return matte(vec3f(0.24228115, 0.6172066, 0.8307699));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_BOX_0: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

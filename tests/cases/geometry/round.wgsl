@@ -11,8 +11,6 @@ const OBJECT_CAPSULE_3: u32 = 3u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -53,19 +51,22 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_SPHERE_0: {
-            return placed(sphereSurface(p, vec3f(-2.6, 0.0, 0.0), 0.9));
+            return placed(sphereSurface(p, vec3f(-2.6, 0.0, 0.0), 0.9), p);
         }
         case OBJECT_ELLIPSOID_1: {
-            return placed(ellipsoidSurface(p, vec3f(-0.8, 0.0, 0.0), vec3f(0.6, 1.2, 0.8)));
+            return placed(ellipsoidSurface(p, vec3f(-0.8, 0.0, 0.0), vec3f(0.6, 1.2, 0.8)), p);
         }
         case OBJECT_TORUS_2: {
-            return placed(torusSurface(p, vec3f(1.1, 0.0, 0.0), vec3f(0.3, 1.0, 0.4), 0.8, 0.25));
+            return placed(
+                torusSurface(p, vec3f(1.1, 0.0, 0.0), vec3f(0.3, 1.0, 0.4), 0.8, 0.25),
+                p,
+            );
         }
         case OBJECT_CAPSULE_3: {
-            return placed(capsuleSurface(p, vec3f(2.6, -0.8, 0.0), vec3f(3.0, 0.9, 0.4), 0.4));
+            return placed(capsuleSurface(p, vec3f(2.6, -0.8, 0.0), vec3f(3.0, 0.9, 0.4), 0.4), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -95,6 +96,11 @@ fn torus2Material(at: Surface) -> Material {
 
 fn capsule3Material(at: Surface) -> Material {
     return matte(vec3f(0.7230551, 0.35153264, 0.7230551));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return false;
 }
 
 /// The world normal of `object` at `met`.

@@ -30,8 +30,6 @@ const OBJECT_SPHERE_17: u32 = 17u;
 const LIGHTS: u32 = 0u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -102,61 +100,61 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_SPHERE_0: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         case OBJECT_SPHERE_1: {
-            return placed(sphereSurface(p, vec3f(2.0, 0.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(2.0, 0.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_2: {
-            return placed(sphereSurface(p, vec3f(4.0, 0.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(4.0, 0.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_3: {
-            return placed(sphereSurface(p, vec3f(6.0, 0.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(6.0, 0.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_4: {
-            return placed(sphereSurface(p, vec3f(8.0, 0.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(8.0, 0.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_5: {
-            return placed(sphereSurface(p, vec3f(0.0, 2.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0, 2.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_6: {
-            return placed(sphereSurface(p, vec3f(2.0, 2.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(2.0, 2.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_7: {
-            return placed(sphereSurface(p, vec3f(4.0, 2.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(4.0, 2.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_8: {
-            return placed(sphereSurface(p, vec3f(6.0, 2.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(6.0, 2.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_9: {
-            return placed(sphereSurface(p, vec3f(8.0, 2.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(8.0, 2.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_10: {
-            return placed(sphereSurface(p, vec3f(0.0, 4.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0, 4.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_11: {
-            return placed(sphereSurface(p, vec3f(2.0, 4.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(2.0, 4.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_12: {
-            return placed(sphereSurface(p, vec3f(4.0, 4.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(4.0, 4.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_13: {
-            return placed(sphereSurface(p, vec3f(6.0, 4.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(6.0, 4.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_14: {
-            return placed(sphereSurface(p, vec3f(8.0, 4.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(8.0, 4.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_15: {
-            return placed(sphereSurface(p, vec3f(0.0, 6.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0, 6.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_16: {
-            return placed(sphereSurface(p, vec3f(2.0, 6.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(2.0, 6.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_17: {
-            return placed(sphereSurface(p, vec3f(4.0, 6.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(4.0, 6.0, 0.0), 1.0), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -400,6 +398,11 @@ fn sphere17Material(at: Surface) -> Material {
             vec3f(0.0409152, 0.05448028, 0.07618539),
         ),
     );
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return true;
 }
 
 /// The world normal of `object` at `met`.

@@ -9,8 +9,6 @@ const OBJECT_BOX_1: u32 = 1u;
 const LIGHTS: u32 = 3u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -33,13 +31,13 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_BOX_1: {
-            return placed(boxSurface(p, vec3f(-0.4, 0.0, -0.4), vec3f(0.4, 2.0, 0.4)));
+            return placed(boxSurface(p, vec3f(-0.4, 0.0, -0.4), vec3f(0.4, 2.0, 0.4)), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -59,6 +57,11 @@ fn plane0Material(at: Surface) -> Material {
 
 fn box1Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return false;
 }
 
 /// The world normal of `object` at `met`.

@@ -12,8 +12,6 @@ const OBJECT_BOX_3: u32 = 3u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = true;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -40,19 +38,19 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_PLANE_1: {
-            return placed(planeSurface(p, vec3f(0.0, 0.0, 1.0), -3.0));
+            return placed(planeSurface(p, vec3f(0.0, 0.0, 1.0), -3.0), p);
         }
         case OBJECT_SPHERE_2: {
-            return placed(sphereSurface(p, vec3f(-1.1, 1.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(-1.1, 1.0, 0.0), 1.0), p);
         }
         case OBJECT_BOX_3: {
-            return placed(boxSurface(p, vec3f(0.5, 0.2, -0.5), vec3f(1.7, 1.7, 0.5)));
+            return placed(boxSurface(p, vec3f(0.5, 0.2, -0.5), vec3f(1.7, 1.7, 0.5)), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -97,6 +95,14 @@ fn box3Material(at: Surface) -> Material {
     material.fresnel = 5.0;
     material.transmission = 1.0;
     return material;
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_PLANE_0, OBJECT_PLANE_1: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

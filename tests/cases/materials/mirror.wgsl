@@ -12,8 +12,6 @@ const OBJECT_SPHERE_3: u32 = 3u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -51,21 +49,22 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_SPHERE_1: {
-            return placed(sphereSurface(p, vec3f(0.0, 0.7, 0.0), 0.7));
+            return placed(sphereSurface(p, vec3f(0.0, 0.7, 0.0), 0.7), p);
         }
         case OBJECT_QUAD_2: {
             return placed(
                 quadSurface(p, vec3f(-2.0, 0.0, -2.0), vec3f(4.0, 0.0, 0.0), vec3f(0.0, 3.0, 0.0)),
+                p,
             );
         }
         case OBJECT_SPHERE_3: {
-            return placed(sphereSurface(p, vec3f(1.5, 0.5, 0.8), 0.5));
+            return placed(sphereSurface(p, vec3f(1.5, 0.5, 0.8), 0.5), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -109,6 +108,14 @@ fn sphere3Material(at: Surface) -> Material {
     var material = matte(vec3f(0.05));
     material.reflectivity = 0.9;
     return material;
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_PLANE_0: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

@@ -9,8 +9,6 @@ const OBJECT_A_BOX_WITH_A_NAME_THAT_I: u32 = 0u;
 const LIGHTS: u32 = 0u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -75,7 +73,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
             );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -90,6 +88,11 @@ fn materialAt(object: u32, at: Surface) -> Material {
 
 fn aMaterialWithANameThatNoMaterial(at: Surface) -> Material {
     return matte(thePatternOfTheTilesOnThTexture(at));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return true;
 }
 
 /// The world normal of `object` at `met`.

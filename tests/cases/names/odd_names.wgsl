@@ -18,8 +18,6 @@ const OBJECT_LINE_SEPARATOR: u32 = 8u;
 const LIGHTS: u32 = 0u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -63,34 +61,34 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_LEG_1: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         case OBJECT_LEG_1_2: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         case OBJECT_LEG_1_2_2: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         case OBJECT_BALLON_D_T: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         case OBJECT_X: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         case OBJECT_2_LEGS: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         case OBJECT_FN: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         case OBJECT_TWO_LINES_QUOTED_AND_A_C: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         case OBJECT_LINE_SEPARATOR: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -145,6 +143,14 @@ fn twoLinesQuotedAndACommenMaterial(at: Surface) -> Material {
 
 fn lineSeparatorMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_LEG_1, OBJECT_LEG_1_2, OBJECT_LEG_1_2_2: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

@@ -52,8 +52,6 @@ const OBJECT_SPHERE_39: u32 = 39u;
 const LIGHTS: u32 = 0u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -217,103 +215,103 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
 fn surfacePart0(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_SPHERE_0: {
-            return placed(sphereSurface(p, vec3f(0.0), 0.4));
+            return placed(sphereSurface(p, vec3f(0.0), 0.4), p);
         }
         case OBJECT_SPHERE_1: {
-            return placed(sphereSurface(p, vec3f(1.0, 0.0, 0.0), 0.4));
+            return placed(sphereSurface(p, vec3f(1.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_2: {
-            return placed(sphereSurface(p, vec3f(2.0, 0.0, 0.0), 0.4));
+            return placed(sphereSurface(p, vec3f(2.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_3: {
-            return placed(sphereSurface(p, vec3f(3.0, 0.0, 0.0), 0.4));
+            return placed(sphereSurface(p, vec3f(3.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_4: {
-            return placed(sphereSurface(p, vec3f(4.0, 0.0, 0.0), 0.4));
+            return placed(sphereSurface(p, vec3f(4.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_5: {
-            return placed(sphereSurface(p, vec3f(5.0, 0.0, 0.0), 0.4));
+            return placed(sphereSurface(p, vec3f(5.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_6: {
-            return placed(sphereSurface(p, vec3f(6.0, 0.0, 0.0), 0.4));
+            return placed(sphereSurface(p, vec3f(6.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_7: {
-            return placed(sphereSurface(p, vec3f(7.0, 0.0, 0.0), 0.4));
+            return placed(sphereSurface(p, vec3f(7.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_8: {
-            return placed(sphereSurface(p, vec3f(0.0, 0.0, 1.0), 0.4));
+            return placed(sphereSurface(p, vec3f(0.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_9: {
-            return placed(sphereSurface(p, vec3f(1.0, 0.0, 1.0), 0.4));
+            return placed(sphereSurface(p, vec3f(1.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_10: {
-            return placed(sphereSurface(p, vec3f(2.0, 0.0, 1.0), 0.4));
+            return placed(sphereSurface(p, vec3f(2.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_11: {
-            return placed(sphereSurface(p, vec3f(3.0, 0.0, 1.0), 0.4));
+            return placed(sphereSurface(p, vec3f(3.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_12: {
-            return placed(sphereSurface(p, vec3f(4.0, 0.0, 1.0), 0.4));
+            return placed(sphereSurface(p, vec3f(4.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_13: {
-            return placed(sphereSurface(p, vec3f(5.0, 0.0, 1.0), 0.4));
+            return placed(sphereSurface(p, vec3f(5.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_14: {
-            return placed(sphereSurface(p, vec3f(6.0, 0.0, 1.0), 0.4));
+            return placed(sphereSurface(p, vec3f(6.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_15: {
-            return placed(sphereSurface(p, vec3f(7.0, 0.0, 1.0), 0.4));
+            return placed(sphereSurface(p, vec3f(7.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_16: {
-            return placed(sphereSurface(p, vec3f(0.0, 0.0, 2.0), 0.4));
+            return placed(sphereSurface(p, vec3f(0.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_17: {
-            return placed(sphereSurface(p, vec3f(1.0, 0.0, 2.0), 0.4));
+            return placed(sphereSurface(p, vec3f(1.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_18: {
-            return placed(sphereSurface(p, vec3f(2.0, 0.0, 2.0), 0.4));
+            return placed(sphereSurface(p, vec3f(2.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_19: {
-            return placed(sphereSurface(p, vec3f(3.0, 0.0, 2.0), 0.4));
+            return placed(sphereSurface(p, vec3f(3.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_20: {
-            return placed(sphereSurface(p, vec3f(4.0, 0.0, 2.0), 0.4));
+            return placed(sphereSurface(p, vec3f(4.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_21: {
-            return placed(sphereSurface(p, vec3f(5.0, 0.0, 2.0), 0.4));
+            return placed(sphereSurface(p, vec3f(5.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_22: {
-            return placed(sphereSurface(p, vec3f(6.0, 0.0, 2.0), 0.4));
+            return placed(sphereSurface(p, vec3f(6.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_23: {
-            return placed(sphereSurface(p, vec3f(7.0, 0.0, 2.0), 0.4));
+            return placed(sphereSurface(p, vec3f(7.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_24: {
-            return placed(sphereSurface(p, vec3f(0.0, 0.0, 3.0), 0.4));
+            return placed(sphereSurface(p, vec3f(0.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_25: {
-            return placed(sphereSurface(p, vec3f(1.0, 0.0, 3.0), 0.4));
+            return placed(sphereSurface(p, vec3f(1.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_26: {
-            return placed(sphereSurface(p, vec3f(2.0, 0.0, 3.0), 0.4));
+            return placed(sphereSurface(p, vec3f(2.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_27: {
-            return placed(sphereSurface(p, vec3f(3.0, 0.0, 3.0), 0.4));
+            return placed(sphereSurface(p, vec3f(3.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_28: {
-            return placed(sphereSurface(p, vec3f(4.0, 0.0, 3.0), 0.4));
+            return placed(sphereSurface(p, vec3f(4.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_29: {
-            return placed(sphereSurface(p, vec3f(5.0, 0.0, 3.0), 0.4));
+            return placed(sphereSurface(p, vec3f(5.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_30: {
-            return placed(sphereSurface(p, vec3f(6.0, 0.0, 3.0), 0.4));
+            return placed(sphereSurface(p, vec3f(6.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_31: {
-            return placed(sphereSurface(p, vec3f(7.0, 0.0, 3.0), 0.4));
+            return placed(sphereSurface(p, vec3f(7.0, 0.0, 3.0), 0.4), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -321,31 +319,31 @@ fn surfacePart0(object: u32, p: vec3f) -> Placed {
 fn surfacePart1(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_SPHERE_32: {
-            return placed(sphereSurface(p, vec3f(0.0, 0.0, 4.0), 0.4));
+            return placed(sphereSurface(p, vec3f(0.0, 0.0, 4.0), 0.4), p);
         }
         case OBJECT_SPHERE_33: {
-            return placed(sphereSurface(p, vec3f(1.0, 0.0, 4.0), 0.4));
+            return placed(sphereSurface(p, vec3f(1.0, 0.0, 4.0), 0.4), p);
         }
         case OBJECT_SPHERE_34: {
-            return placed(sphereSurface(p, vec3f(2.0, 0.0, 4.0), 0.4));
+            return placed(sphereSurface(p, vec3f(2.0, 0.0, 4.0), 0.4), p);
         }
         case OBJECT_SPHERE_35: {
-            return placed(sphereSurface(p, vec3f(3.0, 0.0, 4.0), 0.4));
+            return placed(sphereSurface(p, vec3f(3.0, 0.0, 4.0), 0.4), p);
         }
         case OBJECT_SPHERE_36: {
-            return placed(sphereSurface(p, vec3f(4.0, 0.0, 4.0), 0.4));
+            return placed(sphereSurface(p, vec3f(4.0, 0.0, 4.0), 0.4), p);
         }
         case OBJECT_SPHERE_37: {
-            return placed(sphereSurface(p, vec3f(5.0, 0.0, 4.0), 0.4));
+            return placed(sphereSurface(p, vec3f(5.0, 0.0, 4.0), 0.4), p);
         }
         case OBJECT_SPHERE_38: {
-            return placed(sphereSurface(p, vec3f(6.0, 0.0, 4.0), 0.4));
+            return placed(sphereSurface(p, vec3f(6.0, 0.0, 4.0), 0.4), p);
         }
         case OBJECT_SPHERE_39: {
-            return placed(sphereSurface(p, vec3f(7.0, 0.0, 4.0), 0.4));
+            return placed(sphereSurface(p, vec3f(7.0, 0.0, 4.0), 0.4), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -399,6 +397,11 @@ fn materialAt(object: u32, at: Surface) -> Material {
 
 fn clayMaterial(at: Surface) -> Material {
     return matte(vec3f(0.58407843, 0.15896083, 0.068478175));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return false;
 }
 
 /// The world normal of `object` at `met`.

@@ -11,8 +11,6 @@ const OBJECT_STRETCHED: u32 = 3u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -193,7 +191,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
             );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -223,6 +221,11 @@ fn mirroredMaterial(at: Surface) -> Material {
 
 fn stretchedMaterial(at: Surface) -> Material {
     return matte(vec3f(0.7230551, 0.35153264, 0.7230551));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return false;
 }
 
 /// The world normal of `object` at `met`.

@@ -10,8 +10,6 @@ const OBJECT_SPHERE_2: u32 = 2u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -46,18 +44,19 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_QUAD_1: {
             return placed(
                 quadSurface(p, vec3f(-1.2, 0.05, 0.0), vec3f(1.4, 0.0, 0.0), vec3f(0.0, 1.05, 0.0)),
+                p,
             );
         }
         case OBJECT_SPHERE_2: {
-            return placed(sphereSurface(p, vec3f(1.2, 0.6, 0.0), 0.6));
+            return placed(sphereSurface(p, vec3f(1.2, 0.6, 0.0), 0.6), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -91,6 +90,11 @@ fn sphere2Material(at: Surface) -> Material {
         sides1 += side_color3 * sideShare(at, side, 4.0);
     }
     return matte(sides1);
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return true;
 }
 
 /// The world normal of `object` at `met`.

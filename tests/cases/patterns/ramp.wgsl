@@ -9,8 +9,6 @@ const OBJECT_SPHERE_0: u32 = 0u;
 const LIGHTS: u32 = 0u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -30,10 +28,10 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_SPHERE_0: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -57,6 +55,11 @@ fn sphere0Material(at: Surface) -> Material {
     ramp3 = mix(ramp3, ramp6, rampStep(0.0, 0.4, by2));
     ramp3 = mix(ramp3, vec3f(1.0), rampStep(0.4, 1.0, by2));
     return matte(ramp3);
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return true;
 }
 
 /// The world normal of `object` at `met`.

@@ -11,8 +11,6 @@ const OBJECT_RING: u32 = 2u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -64,10 +62,10 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), -1.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), -1.0), p);
         }
         case OBJECT_BALL: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         case OBJECT_RING: {
             let space = Space(
@@ -82,7 +80,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
             );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -133,6 +131,14 @@ fn ringMaterial(at: Surface) -> Material {
         sides2 += side_color6 * sideShare(at1, side, 4.0);
     }
     return matte(sides2);
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_BALL, OBJECT_RING: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

@@ -14,8 +14,6 @@ const OBJECT_BITE: u32 = 5u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -128,7 +126,7 @@ fn bittenSolid(ray: Ray) -> Crossing {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_GROUND: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_SPONGE: {
             let space = Space(
@@ -143,10 +141,10 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
             );
         }
         case OBJECT_BULB: {
-            return placed(mandelbulbSurface(p, vec3f(0.75, 0.95, -1.3), 1.05, 8.0, 5u));
+            return placed(mandelbulbSurface(p, vec3f(0.75, 0.95, -1.3), 1.05, 8.0, 5u), p);
         }
         case OBJECT_GYROID: {
-            return placed(gyroidSurface(p, vec3f(0.35, 0.6, 1.2), 0.6, 0.62, 0.05));
+            return placed(gyroidSurface(p, vec3f(0.35, 0.6, 1.2), 0.6, 0.62, 0.05), p);
         }
         case OBJECT_BITTEN_SMOOTHBALLS_0: {
             let space = Space(
@@ -180,7 +178,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
             );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -418,6 +416,14 @@ fn bittenMaterial(at: Surface) -> Material {
 
 fn biteMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8796224, 0.7758222, 0.5457245));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_GROUND: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

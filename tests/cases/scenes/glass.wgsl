@@ -12,8 +12,6 @@ const OBJECT_ROD: u32 = 3u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = true;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -40,19 +38,19 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_FLOOR: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_WALL: {
-            return placed(planeSurface(p, vec3f(0.0, 0.0, 1.0), -3.0));
+            return placed(planeSurface(p, vec3f(0.0, 0.0, 1.0), -3.0), p);
         }
         case OBJECT_BALL: {
-            return placed(sphereSurface(p, vec3f(-1.3, 1.2, 0.0), 1.2));
+            return placed(sphereSurface(p, vec3f(-1.3, 1.2, 0.0), 1.2), p);
         }
         case OBJECT_ROD: {
-            return placed(cylinderSurface(p, vec3f(1.6, 0.0, 0.5), vec3f(1.6, 2.2, 0.5), 0.7));
+            return placed(cylinderSurface(p, vec3f(1.6, 0.0, 0.5), vec3f(1.6, 2.2, 0.5), 0.7), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -95,6 +93,14 @@ fn wallMaterial(at: Surface) -> Material {
             vec3f(0.62396044, 0.57112485, 0.4910209),
         ),
     );
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_FLOOR, OBJECT_WALL: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

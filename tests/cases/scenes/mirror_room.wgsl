@@ -14,8 +14,6 @@ const OBJECT_RIGHT: u32 = 5u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -95,35 +93,40 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_BALL: {
-            return placed(sphereSurface(p, vec3f(0.0, 1.6, 0.0), 1.2));
+            return placed(sphereSurface(p, vec3f(0.0, 1.6, 0.0), 1.2), p);
         }
         case OBJECT_FLOOR: {
             return placed(
                 quadSurface(p, vec3f(-3.0, 0.0, -3.0), vec3f(6.0, 0.0, 0.0), vec3f(0.0, 0.0, 6.0)),
+                p,
             );
         }
         case OBJECT_CEILING: {
             return placed(
                 quadSurface(p, vec3f(-3.0, 5.0, -3.0), vec3f(6.0, 0.0, 0.0), vec3f(0.0, 0.0, 6.0)),
+                p,
             );
         }
         case OBJECT_BACK: {
             return placed(
                 quadSurface(p, vec3f(-3.0, 0.0, -3.0), vec3f(6.0, 0.0, 0.0), vec3f(0.0, 5.0, 0.0)),
+                p,
             );
         }
         case OBJECT_LEFT: {
             return placed(
                 quadSurface(p, vec3f(-3.0, 0.0, -3.0), vec3f(0.0, 0.0, 6.0), vec3f(0.0, 5.0, 0.0)),
+                p,
             );
         }
         case OBJECT_RIGHT: {
             return placed(
                 quadSurface(p, vec3f(3.0, 0.0, -3.0), vec3f(0.0, 0.0, 6.0), vec3f(0.0, 5.0, 0.0)),
+                p,
             );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -173,6 +176,14 @@ fn rightMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.027320893, 0.20507874, 0.07818743));
     material.reflectivity = 0.5;
     return material;
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_FLOOR: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

@@ -15,8 +15,6 @@ const MODEL_GEM: Model = Model(41620u);
 const LIGHTS: u32 = 2u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = true;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -82,7 +80,7 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_FLOOR: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_KNOT: {
             let space = Space(
@@ -101,7 +99,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
             return placedFrom(space, meshSurface(pointInto(space, p), MODEL_GEM, false), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -143,6 +141,14 @@ fn slateMaterial(at: Surface) -> Material {
     var material = matte(ramp2);
     material.reflectivity = 0.06;
     return material;
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_FLOOR: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

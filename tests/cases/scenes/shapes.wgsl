@@ -21,8 +21,6 @@ const OBJECT_UPRIGHT: u32 = 11u;
 const LIGHTS: u32 = 2u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -164,22 +162,22 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_FLOOR: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_SPHERE_1: {
-            return placed(sphereSurface(p, vec3f(-5.0, 1.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(-5.0, 1.0, 0.0), 1.0), p);
         }
         case OBJECT_BOX_2: {
-            return placed(boxSurface(p, vec3f(-3.6, 0.0, -0.8), vec3f(-2.0, 1.6, 0.8)));
+            return placed(boxSurface(p, vec3f(-3.6, 0.0, -0.8), vec3f(-2.0, 1.6, 0.8)), p);
         }
         case OBJECT_CYLINDER_3: {
-            return placed(cylinderSurface(p, vec3f(-0.5, 0.0, 0.0), vec3f(-0.5, 1.8, 0.0), 0.7));
+            return placed(cylinderSurface(p, vec3f(-0.5, 0.0, 0.0), vec3f(-0.5, 1.8, 0.0), 0.7), p);
         }
         case OBJECT_CONE_4: {
-            return placed(coneSurface(p, vec3f(1.4, 0.0, 0.0), vec3f(1.4, 2.0, 0.0), 0.8, 0.0));
+            return placed(coneSurface(p, vec3f(1.4, 0.0, 0.0), vec3f(1.4, 2.0, 0.0), 0.8, 0.0), p);
         }
         case OBJECT_TORUS_5: {
-            return placed(torusSurface(p, vec3f(3.3, 0.3, 0.0), vec3f(0.0, 1.0, 0.0), 0.8, 0.3));
+            return placed(torusSurface(p, vec3f(3.3, 0.3, 0.0), vec3f(0.0, 1.0, 0.0), 0.8, 0.3), p);
         }
         case OBJECT_TRIANGLE_6: {
             return placed(
@@ -189,16 +187,17 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                     vec3f(6.2, 0.0, 0.0),
                     vec3f(5.4, 1.8, 0.0),
                 ),
+                p,
             );
         }
         case OBJECT_CAPSULE_7: {
-            return placed(capsuleSurface(p, vec3f(-4.5, 0.4, 3.0), vec3f(-3.0, 1.2, 3.0), 0.4));
+            return placed(capsuleSurface(p, vec3f(-4.5, 0.4, 3.0), vec3f(-3.0, 1.2, 3.0), 0.4), p);
         }
         case OBJECT_ELLIPSOID_8: {
-            return placed(ellipsoidSurface(p, vec3f(-0.8, 0.6, 3.0), vec3f(1.0, 0.6, 0.5)));
+            return placed(ellipsoidSurface(p, vec3f(-0.8, 0.6, 3.0), vec3f(1.0, 0.6, 0.5)), p);
         }
         case OBJECT_DISK_9: {
-            return placed(diskSurface(p, vec3f(1.2, 0.9, 3.0), vec3f(0.4, 0.5, 1.0), 0.9, 0.4));
+            return placed(diskSurface(p, vec3f(1.2, 0.9, 3.0), vec3f(0.4, 0.5, 1.0), 0.9, 0.4), p);
         }
         case OBJECT_TURNED: {
             let space = Space(
@@ -221,7 +220,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
             );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -261,6 +260,14 @@ fn floorMaterial(at: Surface) -> Material {
             vec3f(0.33716366, 0.43415368, 0.37626216),
         ),
     );
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_FLOOR: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

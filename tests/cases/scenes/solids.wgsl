@@ -28,8 +28,6 @@ const OBJECT_BACK: u32 = 17u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = true;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -480,7 +478,7 @@ fn lensSolid(ray: Ray) -> Crossing {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_TABLE: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_CUBE_ROUNDEDBOX_0: {
             let space = Space(
@@ -723,7 +721,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
             );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -803,6 +801,14 @@ fn lensMaterial(at: Surface) -> Material {
     material.transmission = 1.0;
     material.ior = 1.5;
     return material;
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_TABLE: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

@@ -18,8 +18,6 @@ const OBJECT_LEG_4: u32 = 9u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -66,37 +64,37 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_FLOOR: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_RED: {
-            return placed(sphereSurface(p, vec3f(1.0, 2.0, 5.0), 2.0));
+            return placed(sphereSurface(p, vec3f(1.0, 2.0, 5.0), 2.0), p);
         }
         case OBJECT_GREEN: {
-            return placed(sphereSurface(p, vec3f(5.0, 1.0, 2.0), 1.0));
+            return placed(sphereSurface(p, vec3f(5.0, 1.0, 2.0), 1.0), p);
         }
         case OBJECT_MAGENTA: {
-            return placed(sphereSurface(p, vec3f(5.0, 2.8, 1.0), 0.6));
+            return placed(sphereSurface(p, vec3f(5.0, 2.8, 1.0), 0.6), p);
         }
         case OBJECT_FLOATING: {
-            return placed(boxSurface(p, vec3f(0.0, 3.0, 0.0), vec3f(1.0, 4.0, 1.0)));
+            return placed(boxSurface(p, vec3f(0.0, 3.0, 0.0), vec3f(1.0, 4.0, 1.0)), p);
         }
         case OBJECT_TOP: {
-            return placed(boxSurface(p, vec3f(-2.0, 1.65, -2.0), vec3f(2.0, 1.8, 2.0)));
+            return placed(boxSurface(p, vec3f(-2.0, 1.65, -2.0), vec3f(2.0, 1.8, 2.0)), p);
         }
         case OBJECT_LEG_1: {
-            return placed(boxSurface(p, vec3f(-1.9, 0.0, -1.9), vec3f(-1.6, 1.65, -1.6)));
+            return placed(boxSurface(p, vec3f(-1.9, 0.0, -1.9), vec3f(-1.6, 1.65, -1.6)), p);
         }
         case OBJECT_LEG_2: {
-            return placed(boxSurface(p, vec3f(-1.9, 0.0, 1.6), vec3f(-1.6, 1.65, 1.9)));
+            return placed(boxSurface(p, vec3f(-1.9, 0.0, 1.6), vec3f(-1.6, 1.65, 1.9)), p);
         }
         case OBJECT_LEG_3: {
-            return placed(boxSurface(p, vec3f(1.6, 0.0, 1.6), vec3f(1.9, 1.65, 1.9)));
+            return placed(boxSurface(p, vec3f(1.6, 0.0, 1.6), vec3f(1.9, 1.65, 1.9)), p);
         }
         case OBJECT_LEG_4: {
-            return placed(boxSurface(p, vec3f(1.6, 0.0, -1.9), vec3f(1.9, 1.65, -1.6)));
+            return placed(boxSurface(p, vec3f(1.6, 0.0, -1.9), vec3f(1.9, 1.65, -1.6)), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -165,6 +163,14 @@ fn floatingMaterial(at: Surface) -> Material {
     material.reflectivity = 0.0;
     material.fresnel = 2.0;
     return material;
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_FLOOR: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.

@@ -12,8 +12,6 @@ const OBJECT_SPHERE_3: u32 = 3u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -42,19 +40,19 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_FLOOR: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_SPHERE_1: {
-            return placed(sphereSurface(p, vec3f(-2.6, 1.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(-2.6, 1.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_2: {
-            return placed(sphereSurface(p, vec3f(0.0, 1.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(0.0, 1.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_3: {
-            return placed(sphereSurface(p, vec3f(2.6, 1.0, 0.0), 1.0));
+            return placed(sphereSurface(p, vec3f(2.6, 1.0, 0.0), 1.0), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -123,6 +121,11 @@ fn sphere3Material(at: Surface) -> Material {
     material.specular = 0.6;
     material.shininess = 120.0;
     return material;
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return true;
 }
 
 /// The world normal of `object` at `met`.

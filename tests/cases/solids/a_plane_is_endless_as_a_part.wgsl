@@ -9,8 +9,6 @@ const OBJECT_DOME_PLANE_1: u32 = 1u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -113,7 +111,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
             );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -133,6 +131,11 @@ fn domeSphere0Material(at: Surface) -> Material {
 
 fn domePlane1Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return false;
 }
 
 /// The world normal of `object` at `met`.

@@ -11,8 +11,6 @@ const OBJECT_BITTEN_PEBBLE_1: u32 = 3u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -121,7 +119,7 @@ fn bittenSolid(ray: Ray) -> Crossing {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_PEBBLE: {
             let space = Space(
@@ -179,7 +177,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
             );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -280,6 +278,11 @@ fn ballsMaterial(at: Surface) -> Material {
 
 fn bittenPebble1Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return false;
 }
 
 /// The world normal of `object` at `met`.

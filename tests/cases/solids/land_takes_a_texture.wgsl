@@ -11,8 +11,6 @@ const OBJECT_SMOOTHBALLS_1: u32 = 2u;
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = false;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -83,10 +81,10 @@ fn valleySolid(ray: Ray) -> Crossing {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_LAND: {
-            return placed(landFieldSurface(p));
+            return placed(landFieldSurface(p), p);
         }
         case OBJECT_CRATER: {
-            return placed(inverted(sphereSurface(p, vec3f(0.6, 0.8, 0.5), 0.7)));
+            return placed(inverted(sphereSurface(p, vec3f(0.6, 0.8, 0.5), 0.7)), p);
         }
         case OBJECT_SMOOTHBALLS_1: {
             let space = Space(
@@ -97,7 +95,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
             return placedFrom(space, smoothBalls1FieldSurface(pointInto(space, p)), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -193,6 +191,11 @@ fn craterMaterial(at: Surface) -> Material {
 
 fn smoothBalls1Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    return false;
 }
 
 /// The world normal of `object` at `met`.

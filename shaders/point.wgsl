@@ -1,0 +1,28 @@
+// Where a ray meets a surface, from near and far.
+
+/// How far beside the surface a point may lie, as a share of its way from the world's origin.
+const MOST_SLIP: f32 = 1e-6;
+
+/// The bits of a number that its first twelve digits are in.
+const HIGH_HALF: u32 = 0xfffff000u;
+
+/// The ray's point at `t`. Far from the ray's origin the product needs more digits than a number has. So the
+/// factors are cut in halves, whose products are exact (after Dekker, A Floating-Point Technique, 1971). With
+/// fma it would be one line, but Mesa's software driver rounds twice there too.
+fn rayPoint(ray: Ray, t: f32) -> vec3f {
+    let t_high = bitcast<f32>(bitcast<u32>(t) & HIGH_HALF);
+    let t_low = t - t_high;
+    let high = bitcast<vec3f>(bitcast<vec3u>(ray.direction) & vec3u(HIGH_HALF));
+    let low = ray.direction - high;
+    return ray.origin + t_high * high + t_low * high + t_high * low + t_low * low;
+}
+
+/// The way along `ray` from its point at `t` to the surface `there`, which was asked for at that point: a
+/// step of Newton's method. From far away t itself has too few digits for it.
+fn slipAlong(ray: Ray, t: f32, there: Placed) -> vec3f {
+    let approach = dot(there.facet, ray.direction);
+    let slip = there.gap / select(approach, 1e-20, abs(approach) < 1e-20);
+    // More than its rounding it cannot be; what is more comes of a surface seen edge on.
+    let most = 4e-6 * t;
+    return clamp(slip, -most, most) * ray.direction;
+}
