@@ -11,8 +11,6 @@ const MODEL_GEM: Model = Model(0u);
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;
-/// Whether any material varies over a surface.
-const TEXTURED: bool = true;
 
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
@@ -61,7 +59,7 @@ fn sceneBlocks(ray: Ray) -> bool {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0));
+            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_MESH_1: {
             let space = Space(
@@ -72,7 +70,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
             return placedFrom(space, meshSurface(pointInto(space, p), MODEL_GEM, false), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)));
+            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
 }
@@ -95,6 +93,14 @@ fn plane0Material(at: Surface) -> Material {
 
 fn mesh1Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
+}
+
+/// Whether the material of `object` varies over its surface.
+fn isTextured(object: u32) -> bool {
+    switch object {
+        case OBJECT_PLANE_0: { return true; }
+        default: { return false; }
+    }
 }
 
 /// The world normal of `object` at `met`.
