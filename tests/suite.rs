@@ -71,7 +71,7 @@ fn a_changed_scene_is_told_by_object_and_by_sight() {
         "FAILED   scenes/ball.ron",
         "    scenes/ball.wgsl differs: 4 lines gone, 4 new",
         "      the object \"ball\" moved or changed",
-        "@@ -19,6 +19,6 @@ `rayTraceScene`, object \"ball\"",
+        "@@ -17,6 +17,6 @@ `rayTraceScene`, object \"ball\"",
         "-    // objects[1] \"ball\": Sphere(center: (0, 1, 0))",
         "+    // objects[1] \"ball\": Sphere(center: (0.3, 1, 0))",
         "    scenes/ball.png looks different",
