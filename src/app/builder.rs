@@ -34,8 +34,8 @@ pub enum Order {
     Focus(Focus),
     /// The same, with the number of this name for the debug view `value`; None for none.
     Measure(Option<String>),
-    /// The last version is on the screen: there is time for its live pipeline.
-    Shown,
+    /// This version is on the screen: there is time for its live pipeline.
+    Shown(Arc<Compiled>),
     /// No more.
     End,
 }
@@ -140,7 +140,12 @@ impl Builder {
         let mut is_stale = false;
         let mut is_shown = false;
         for order in orders {
-            is_stale |= !matches!(order, Order::Shown);
+            is_stale |= match &order {
+                // The window tells it again where a file has changed, which is known here.
+                Order::Edited(text) => *text != self.edited,
+                Order::Shown(_) => false,
+                _ => true,
+            };
             match order {
                 Order::Open(scene) => {
                     self.scene = scene;
@@ -153,7 +158,9 @@ impl Builder {
                 Order::Measure(name) => self.measure = name,
                 Order::Edited(text) => self.edited = text,
                 Order::Changed | Order::End => {}
-                Order::Shown => is_shown = true,
+                Order::Shown(compiled) => {
+                    is_shown |= self.without_live.as_ref().is_some_and(|last| Arc::ptr_eq(last, &compiled));
+                }
             }
         }
         let is_new = is_stale && self.build(done) == Some(Change::Structure);

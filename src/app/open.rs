@@ -74,6 +74,12 @@ impl Open {
         self.engine.screen.set_picture(picture.texels);
     }
 
+    /// Sees to it that the window is drawn again in that time, unless something else draws it before.
+    pub fn draw_within(&mut self, time: Duration) {
+        let then = Instant::now() + time;
+        self.wake = Some(self.wake.map_or(then, |wake| wake.min(then)));
+    }
+
     /// A scene that is let go over the window takes the place of the one there.
     pub fn drop_file(&mut self, file: PathBuf) {
         if file.extension().is_some_and(|ending| ending == "ron") {

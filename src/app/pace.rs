@@ -11,8 +11,8 @@ pub struct Pace {
     reach: u32,
 }
 
-/// No slice of a picture takes much longer.
-const SLICE: Duration = Duration::from_millis(60);
+/// No slice of a picture takes much longer: an edit waits for the one that is being drawn.
+const SLICE: Duration = Duration::from_millis(30);
 /// Pixels of the first slice that a pipeline draws: nobody knows what they cost.
 const FIRST: u32 = 512;
 /// A slice may have so many times the pixels of those before.

@@ -45,6 +45,10 @@ struct App<'a> {
     blocked: Duration,
 }
 
+/// What a new text offers may show that much later: where it has another picture, the window is drawn for
+/// that, and until then the driver needs the processor.
+const PATIENCE: Duration = Duration::from_millis(300);
+
 /// A driver that gives up this often before it has drawn anything does not come back.
 const MOST_IN_VAIN: u32 = 4;
 
@@ -130,9 +134,11 @@ impl App<'_> {
         let presented = open.draw();
         if presented {
             let _ = open.engine.painter.send(Wish::Shown);
-            let _ = open.engine.builder.send(Order::Shown);
         }
         if presented && let Some(mut event) = open.fresh.take() {
+            if let Some(compiled) = open.panel.compiled() {
+                let _ = open.engine.builder.send(Order::Shown(compiled.clone()));
+            }
             if let Event::Presented { since_change_ms, blocked_ms, .. } = &mut event {
                 *since_change_ms = open.noticed.map_or(0.0, |at| at.elapsed().as_secs_f64() * 1e3);
                 *blocked_ms = self.blocked.as_secs_f64() * 1e3;
@@ -172,20 +178,27 @@ impl ApplicationHandler<(u32, Notice)> for App<'_> {
                 Notice::Picture(picture) => open.take(picture),
                 Notice::Unchanged(warnings) => {
                     (app.on_event)(&Event::Unchanged);
-                    open.panel.mend(&warnings);
+                    if !open.panel.mend(&warnings) {
+                        return;
+                    }
                 }
-                Notice::Mended(warnings) => open.panel.mend(&warnings),
+                Notice::Mended(warnings) => drop(open.panel.mend(&warnings)),
                 Notice::Tries(compiled) => {
                     open.trial.begin(compiled);
                     return (app.on_event)(&Event::Begun);
                 }
                 Notice::File(text) => {
+                    // A verdict follows, and shows.
                     let _ = open.engine.builder.send(open.panel.file_says(&text));
+                    return;
                 }
                 Notice::Gallery(news) => open.panel.hang(news),
                 Notice::Captured => open.panel.follow(&mut open.engine.album),
                 Notice::Identity(identity) => open.panel.know(identity),
-                Notice::Outline { outline, text } => open.panel.offer(outline, text),
+                Notice::Outline { outline, text } => {
+                    open.panel.offer(outline, text);
+                    return open.draw_within(PATIENCE);
+                }
                 Notice::Ready { pipelines } => return (app.on_event)(&Event::Ready { pipelines }),
                 Notice::Broken(report) => {
                     let errors = report.count(Severity::Error);

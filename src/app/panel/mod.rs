@@ -172,6 +172,11 @@ impl Panel {
         &self.scene
     }
 
+    /// The version that the picture shows.
+    pub fn compiled(&self) -> Option<&Arc<Compiled>> {
+        self.compiled.as_ref()
+    }
+
     /// Another device takes the place of a lost one: what its builder has to know.
     pub fn begin_again(&mut self) -> [Order; 2] {
         self.picking = Picking::default();
@@ -213,8 +218,12 @@ impl Panel {
     }
 
     /// The scene is right, but for `warnings`.
-    pub fn mend(&mut self, warnings: &Report) {
+    ///
+    /// Whether there is something else to see than before.
+    pub fn mend(&mut self, warnings: &Report) -> bool {
+        let told = self.report.take();
         self.report = (!warnings.diagnostics.is_empty()).then(|| (warnings.clone(), warnings.to_string()));
+        told.is_some() || self.report.is_some()
     }
 
     /// The scene is wrong: the picture stays, the mistakes come over it.
