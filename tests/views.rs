@@ -31,6 +31,7 @@ const EXPORT: [i16; 2] = [719, 84];
 const MENU: [i16; 2] = [526, 200];
 /// "Save" beside the scene's own section.
 const SAVE: [i16; 2] = [715, 111];
+const COPY: [i16; 2] = [665, 111];
 /// Where the rows of the shader are, and their backgrounds can be seen.
 const ROWS: (i16, std::ops::Range<i16>) = (760, 112..690);
 
@@ -200,6 +201,9 @@ fn the_shader_tab_tells_what_an_edit_has_changed_and_exports() {
     let written = home.path().join("scene.section.wgsl");
     click_until(&desk, EXPORT, || desk.color_at(MENU[0], MENU[1]) != BLACK);
     click_until(&desk, SAVE, || written.exists());
+    assert!(!desk.has_clipboard());
+    click_until(&desk, EXPORT, || desk.color_at(MENU[0], MENU[1]) != BLACK);
+    click_until(&desk, COPY, || desk.has_clipboard());
     let text = fs::read_to_string(&written).expect("it was just there");
     assert!(text.contains("fn rayTraceScene(") && text.contains("box(ray, "), "{text}");
 }

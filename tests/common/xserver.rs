@@ -181,16 +181,23 @@ impl Desk {
 
     /// Asks the window to close, as a window manager does where its cross is pressed.
     pub fn ask_to_close(&self) {
-        let atom = |name: &str| {
-            let asked = self.screen.intern_atom(false, name.as_bytes()).expect("the server is up");
-            asked.reply().expect("there is room for a name").atom
-        };
         let (window, _) = self.window();
-        let data = [atom("WM_DELETE_WINDOW"), x11rb::CURRENT_TIME, 0, 0, 0];
-        let event = xproto::ClientMessageEvent::new(32, window, atom("WM_PROTOCOLS"), data);
+        let data = [self.atom("WM_DELETE_WINDOW"), x11rb::CURRENT_TIME, 0, 0, 0];
+        let event = xproto::ClientMessageEvent::new(32, window, self.atom("WM_PROTOCOLS"), data);
         let sent = self.screen.send_event(false, window, xproto::EventMask::NO_EVENT, event);
         sent.expect("the server is up");
         self.screen.flush().expect("the server is up");
+    }
+
+    /// Whether any program has something to paste.
+    pub fn has_clipboard(&self) -> bool {
+        let asked = self.screen.get_selection_owner(self.atom("CLIPBOARD")).expect("the server is up");
+        asked.reply().expect("the server is up").owner != x11rb::NONE
+    }
+
+    fn atom(&self, name: &str) -> xproto::Atom {
+        let asked = self.screen.intern_atom(false, name.as_bytes()).expect("the server is up");
+        asked.reply().expect("there is room for a name").atom
     }
 
     /// Turns the wheel so many steps away from the hand.
