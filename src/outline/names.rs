@@ -85,14 +85,11 @@ pub fn example(role: Role, name: &str, library: &Library<'_>) -> Option<String> 
     Some(format!("{name}({})", given.collect::<Vec<_>>().join(", ")))
 }
 
-/// Something that `parameter` takes. Of vectors, the first is the origin and the others are along the axes,
-/// so that corners lie apart.
+/// Something that `parameter` takes, which has no default, and so no choices. Of vectors, the first is the
+/// origin and the others are along the axes, so that corners lie apart.
 fn any(parameter: &Parameter, index: usize) -> String {
     let (low, high) = parameter.range.unwrap_or((f32::MIN, f32::MAX));
     let within = |x: f32| x.clamp(low, high).to_string();
-    if let Some(first) = parameter.choices.first() {
-        return format!("\"{first}\"");
-    }
     let axis = if parameter.nonzero { index.max(1) } else { index };
     match parameter.ty {
         Type::Bool => "true".into(),

@@ -156,10 +156,12 @@ impl Painter {
         is_settled && scene.is_shown && scene.live.is_some() && !scene.is_warm
     }
 
-    /// Whether the window waits to know what lies under the pixels of a picture that it shows.
+    /// Whether the window waits to know what lies under the pixels of a picture that it shows as fine as it
+    /// gets: to find that out takes as long as two samples, and a hand that drags a number waits for none.
     fn needs_telling(&self) -> bool {
         let is_shown = self.scene.as_ref().is_some_and(|scene| scene.is_shown);
-        self.look.asks && !self.is_told && self.pixels_done == 0 && is_shown
+        let is_fine = self.coarseness == 1 && self.tracer.as_ref().is_some_and(|t| t.samples() > 0);
+        self.look.asks && !self.is_told && self.pixels_done == 0 && is_shown && (is_fine || self.is_moving())
     }
 
     fn grant(&mut self, wish: Wish) {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use egui::{Align, Color32, Layout, RichText, Sense, Ui, Vec2};
+use egui::{Align, Color32, Layout, Rect, RichText, Sense, Ui, Vec2};
 
 use crate::edit::Edit;
 use crate::outline::{Node, NodeKind, Outline, Role};
@@ -70,6 +70,9 @@ impl Tree<'_> {
         if is_selected || response.hovered() {
             let fill = if is_selected { visuals.selection.bg_fill } else { visuals.faint_bg_color };
             ui.painter().rect_filled(area, 4.0, fill);
+        }
+        if is_selected {
+            reveal(ui, area, &node.path);
         }
         let mut ui = ui.new_child(
             egui::UiBuilder::new()
@@ -149,6 +152,16 @@ impl Tree<'_> {
         })
         .response
         .on_hover_text("one more");
+    }
+}
+
+/// Brings what was chosen elsewhere into sight, once.
+fn reveal(ui: &Ui, area: Rect, path: &Path) {
+    let id = egui::Id::unique("revealed");
+    let path = path.to_string();
+    if ui.data(|data| data.get_temp(id)) != Some(path.clone()) {
+        ui.scroll_to_rect(area, None);
+        ui.data_mut(|data| data.insert_temp(id, path));
     }
 }
 
