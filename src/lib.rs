@@ -93,6 +93,11 @@ impl Compiled {
         self.with_scene(scene, self.source.mode)
     }
 
+    /// Whether `other` needs no other pipeline than this one, where both have their numbers as data.
+    pub fn has_structure_of(&self, other: &Self) -> bool {
+        self.source.sections == other.source.sections && self.scene.has_files_of(&other.scene)
+    }
+
     fn with_scene(&self, scene: ir::Scene, mode: Mode) -> Result<Self, Diagnostic> {
         let source = wgsl::generate(&scene, mode);
         let module = on_deep_stack(|| module::validate(&source))?;

@@ -6,11 +6,11 @@
 mod xserver;
 
 use std::fs;
-use std::path::Path;
-use std::time::{Duration, Instant};
+use std::path::PathBuf;
 
 use tempfile::TempDir;
-use xserver::{Desk, PATIENCE};
+use xserver::Desk;
+use xserver::hand::{CONTROL, ESCAPE, text, wait_for_text};
 
 const SIZE: [u16; 2] = [900, 700];
 /// The middle of the ball, and of the picture, which is 668 pixels high.
@@ -23,10 +23,6 @@ const ARROW: [i16; 2] = [350, 366];
 const BESIDE: [i16; 2] = [378, 420];
 /// The light.
 const LIGHT: [i16; 2] = [106, 182];
-
-/// X keysyms.
-const CONTROL: u32 = 0xffe3;
-const ESCAPE: u32 = 0xff1b;
 
 const RED: [u8; 3] = [255, 0, 0];
 const BLACK: [u8; 3] = [0; 3];
@@ -44,38 +40,18 @@ const SCENE: &str = "(
 ";
 
 /// A window in which numbers can be edited without another pipeline; None, with a word, where there is no Xvfb.
-fn opened() -> Option<(TempDir, Desk)> {
+fn opened() -> Option<(TempDir, PathBuf, Desk)> {
     let home = TempDir::new().expect("there is room for a folder");
-    fs::write(home.path().join("scene.ron"), SCENE).expect("the folder is writable");
-    let Some(mut desk) = Desk::open(home.path(), "scene.ron", SIZE) else {
-        assert!(std::env::var_os("RAYTOY_REQUIRE_GPU").is_none(), "there is no Xvfb");
-        eprintln!("skipped: no Xvfb");
-        return None;
-    };
+    let file = home.path().join("scene.ron");
+    fs::write(&file, SCENE).expect("the folder is writable");
+    let mut desk = Desk::open(home.path(), "scene.ron", SIZE)?;
     desk.wait_for_event("ready");
     desk.wait_for_color(BALL[0], BALL[1], RED);
-    Some((home, desk))
+    Some((home, file, desk))
 }
 
 fn pipelines(desk: &Desk) -> Option<u64> {
     desk.seen.iter().filter_map(|event| event["pipelines"].as_u64()).max()
-}
-
-fn text(home: &TempDir) -> String {
-    fs::read_to_string(home.path().join(Path::new("scene.ron"))).expect("the scene is there")
-}
-
-/// Waits until the file is as it is `wanted`.
-fn wait_for_text(home: &TempDir, wanted: impl Fn(&str) -> bool) -> String {
-    let until = Instant::now() + PATIENCE;
-    loop {
-        let now = text(home);
-        if wanted(&now) {
-            return now;
-        }
-        assert!(Instant::now() < until, "waited in vain; the file says {now}");
-        std::thread::sleep(Duration::from_millis(10));
-    }
 }
 
 /// The numbers between `before` and `after` in `text`, and the text without them.
@@ -92,7 +68,7 @@ fn is_about(x: f32, wanted: f32) -> bool {
 
 #[test]
 fn an_object_follows_the_hand_along_its_axis_and_escape_and_undo_take_it_back() {
-    let Some((home, mut desk)) = opened() else { return };
+    let Some((_home, file, mut desk)) = opened() else { return };
     desk.focus();
     desk.click(BALL);
     desk.wait_for_event("chosen");
@@ -109,16 +85,16 @@ fn an_object_follows_the_hand_along_its_axis_and_escape_and_undo_take_it_back() 
     desk.point([to[0] + 50, to[1]]);
     desk.let_go(to);
     desk.wait_for_color(ARROW[0], ARROW[1], X_ARROW);
-    assert_eq!(text(&home), SCENE);
+    assert_eq!(text(&file), SCENE);
 
     // The pointer leaves the axis, and the ball does not.
     desk.hold(ARROW);
     desk.point([to[0] - 30, to[1]]);
     desk.point(to);
     desk.wait_for_color(BESIDE[0], BESIDE[1], RED);
-    assert_eq!(text(&home), SCENE, "what is still in the hand is not worth a file");
+    assert_eq!(text(&file), SCENE, "what is still in the hand is not worth a file");
     desk.let_go(to);
-    let changed = wait_for_text(&home, |text| text != SCENE);
+    let changed = wait_for_text(&file, |text| text != SCENE);
     let (center, rest) = numbers(&changed, "center: (", ")");
     assert!(is_about(center[0], 100.0 * PIXEL), "{center:?}");
     assert_eq!(center[1..], [0.0, 0.0]);
@@ -127,7 +103,7 @@ fn an_object_follows_the_hand_along_its_axis_and_escape_and_undo_take_it_back() 
 
     // One step, however many there were on the way.
     desk.press(&[CONTROL], b'z'.into());
-    wait_for_text(&home, |text| text == SCENE);
+    wait_for_text(&file, |text| text == SCENE);
     desk.wait_for_color(BESIDE[0], BESIDE[1], BLACK);
     desk.wait_for_event("unchanged");
 
@@ -137,14 +113,14 @@ fn an_object_follows_the_hand_along_its_axis_and_escape_and_undo_take_it_back() 
     desk.point(to);
     desk.let_go(to);
     desk.hold_key(CONTROL, false);
-    let snapped = wait_for_text(&home, |text| text != SCENE);
+    let snapped = wait_for_text(&file, |text| text != SCENE);
     assert_eq!(snapped, SCENE.replace("center: (0, 0, 0)", "center: (0.5, 0, 0)"));
     assert_eq!(pipelines(&desk), made, "numbers make no pipeline");
 }
 
 #[test]
 fn a_light_is_chosen_by_its_sign_and_moved_by_its_handles() {
-    let Some((home, mut desk)) = opened() else { return };
+    let Some((_home, file, mut desk)) = opened() else { return };
     let made = pipelines(&desk);
     desk.focus();
     desk.press(&[], b'g'.into());
@@ -154,13 +130,13 @@ fn a_light_is_chosen_by_its_sign_and_moved_by_its_handles() {
     let arrow = [LIGHT[0], LIGHT[1] - 50];
     desk.wait_for_color(arrow[0], arrow[1], Y_ARROW);
     desk.drag(arrow, [arrow[0] + 30, arrow[1] + 80]);
-    let changed = wait_for_text(&home, |text| text != SCENE);
+    let changed = wait_for_text(&file, |text| text != SCENE);
     let (position, rest) = numbers(&changed, "position: (", ")");
     assert!(is_about(position[1], 1.0 - 80.0 * PIXEL), "{position:?}");
     assert_eq!([position[0], position[2]], [-1.0, 0.0]);
     assert_eq!(rest, numbers(SCENE, "position: (", ")").1, "the rest of the text stays as it is");
     desk.press(&[CONTROL], b'z'.into());
-    wait_for_text(&home, |text| text == SCENE);
+    wait_for_text(&file, |text| text == SCENE);
     desk.wait_for_event("unchanged");
     assert_eq!(pipelines(&desk), made, "numbers make no pipeline");
     // Without handles, what is under the pointer is the picture.

@@ -9,7 +9,8 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
-use xserver::{Desk, PATIENCE};
+use xserver::Desk;
+use xserver::hand::{CONTROL, ENTER, ESCAPE, F1, SHIFT, text, wait_for_text};
 
 const SIZE: [u16; 2] = [900, 700];
 /// The middle of the ball.
@@ -26,13 +27,6 @@ const EMISSION: [i16; 2] = [740, 615];
 const BESIDE: [i16; 2] = [640, 328];
 const UNDO: [i16; 2] = [354, 15];
 const ONLY_TRY: [i16; 2] = [862, 15];
-
-/// X keysyms.
-const SHIFT: u32 = 0xffe1;
-const CONTROL: u32 = 0xffe3;
-const ENTER: u32 = 0xff0d;
-const ESCAPE: u32 = 0xff1b;
-const F1: u32 = 0xffbe;
 
 const RED: [u8; 3] = [255, 0, 0];
 const BLACK: [u8; 3] = [0; 3];
@@ -53,11 +47,7 @@ fn chosen() -> Option<(TempDir, PathBuf, Desk)> {
     let home = TempDir::new().expect("there is room for a folder");
     let file = home.path().join("scene.ron");
     fs::write(&file, SCENE).expect("the folder is writable");
-    let Some(mut desk) = Desk::open(home.path(), "scene.ron", SIZE) else {
-        assert!(std::env::var_os("RAYTOY_REQUIRE_GPU").is_none(), "there is no Xvfb");
-        eprintln!("skipped: no Xvfb");
-        return None;
-    };
+    let mut desk = Desk::open(home.path(), "scene.ron", SIZE)?;
     desk.wait_for_event("ready");
     desk.wait_for_color(BALL[0], BALL[1], RED);
     desk.click(BALL);
@@ -82,23 +72,6 @@ fn drag_radius(desk: &Desk, is_done: impl Fn() -> bool) {
         desk.click(BESIDE);
     }
     panic!("the number cannot be dragged");
-}
-
-fn text(file: &PathBuf) -> String {
-    fs::read_to_string(file).expect("the scene is there")
-}
-
-/// Waits until the file is as it is `wanted`.
-fn wait_for_text(file: &PathBuf, wanted: impl Fn(&str) -> bool) -> String {
-    let until = Instant::now() + PATIENCE;
-    loop {
-        let now = text(file);
-        if wanted(&now) {
-            return now;
-        }
-        assert!(Instant::now() < until, "waited in vain; the file says {now}");
-        std::thread::sleep(Duration::from_millis(10));
-    }
 }
 
 /// The number behind `radius: `, and the text without it.
@@ -195,10 +168,7 @@ fn what_is_chosen_in_the_window_is_there_again_the_next_day() {
     fs::write(&kept, "{\"size\": [700, 600], \"panel\": 300}").expect("the folder is writable");
     fs::write(home.path().join("scene.ron"), SCENE).expect("the folder is writable");
     let open = |scene| Desk::open_with(home.path(), scene, SIZE, Some(&memory), &[]);
-    let Some(mut desk) = open("scene.ron") else {
-        assert!(std::env::var_os("RAYTOY_REQUIRE_GPU").is_none(), "there is no Xvfb");
-        return eprintln!("skipped: no Xvfb");
-    };
+    let Some(mut desk) = open("scene.ron") else { return };
     desk.wait_for_event("ready");
     assert_eq!(desk.focus(), [700, 600]);
     let [x, y] = [690, 590];

@@ -280,11 +280,7 @@ impl Builder {
 
     fn change(&self, compiled: &Compiled) -> Change {
         match &self.before {
-            Some(before)
-                if before.source.sections == compiled.source.sections
-                    && before.scene.images == compiled.scene.images
-                    && before.scene.models == compiled.scene.models =>
-            {
+            Some(before) if before.has_structure_of(compiled) => {
                 let same = before.source.numbers == compiled.source.numbers;
                 let same_frame = before.scene.camera == compiled.scene.camera;
                 if same && same_frame && before.scene.render == compiled.scene.render {

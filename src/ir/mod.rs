@@ -263,6 +263,11 @@ impl Material {
 }
 
 impl Scene {
+    /// Whether both take the same from files.
+    pub fn has_files_of(&self, other: &Self) -> bool {
+        self.images == other.images && self.models == other.models
+    }
+
     /// Whether any material lets light through.
     pub fn transmits(&self) -> bool {
         let properties = self.materials.iter().flat_map(|m| &m.properties);

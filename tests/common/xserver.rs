@@ -2,6 +2,9 @@
 //! Each test uses a part of it.
 #![allow(dead_code)]
 
+#[path = "hand.rs"]
+pub mod hand;
+
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -17,6 +20,9 @@ use x11rb::rust_connection::RustConnection;
 /// Long enough for a slow machine that does something else too.
 pub const PATIENCE: Duration = Duration::from_secs(60);
 
+/// Where this is set, a test that cannot run is a failure.
+const REQUIRE_GPU: &str = "RAYTOY_REQUIRE_GPU";
+
 /// A window of raytoy on an X server of its own; both end with it.
 pub struct Desk {
     server: Child,
@@ -29,7 +35,7 @@ pub struct Desk {
 }
 
 impl Desk {
-    /// Opens `scene` from the folder `home` in a window of `size`; None where there is no Xvfb.
+    /// Opens `scene` from the folder `home` in a window of `size`; None, with a word, where there is no Xvfb.
     pub fn open(home: &Path, scene: &str, size: [u16; 2]) -> Option<Self> {
         let [width, height] = size;
         Self::open_with(home, scene, size, None, &["--size", &format!("{width}x{height}")])
@@ -44,12 +50,19 @@ impl Desk {
         arguments: &[&str],
     ) -> Option<Self> {
         let [width, height] = size;
-        let mut server = Command::new("Xvfb")
+        let server = Command::new("Xvfb")
             .args(["-displayfd", "1", "-screen", "0", &format!("{width}x{height}x24"), "-nolisten", "tcp"])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
-            .spawn()
-            .ok()?;
+            .spawn();
+        let mut server = match server {
+            Ok(server) => server,
+            Err(error) => {
+                assert!(std::env::var_os(REQUIRE_GPU).is_none(), "there is no Xvfb: {error}");
+                eprintln!("skipped: no Xvfb");
+                return None;
+            }
+        };
         let mut number = String::new();
         let output = server.stdout.take().expect("it is piped");
         BufReader::new(output).read_line(&mut number).expect("Xvfb tells its number");

@@ -36,8 +36,8 @@ impl Painter {
         let (Some(scene), Some(tracer)) = (&mut self.scene, &mut self.tracer) else { return Ok(()) };
         let Some(live) = &scene.live else { return Ok(()) };
         let compiled = &scene.version.compiled;
-        let row = Region::after(0, 1, tracer.size());
-        tracer.draw(live, &Moment::of(&compiled.scene), &compiled.scene.render, [0.0; 2], &row);
+        let pixel = Region::after(0, 1, tracer.size());
+        tracer.draw(live, &Moment::of(&compiled.scene), &compiled.scene.render, [0.0; 2], &pixel);
         live.finish(&self.gpu)?;
         scene.is_warm = true;
         (self.notify)(Notice::Ready { pipelines: self.gpu.pipelines_made() });

@@ -151,12 +151,10 @@ fn own_text(compiled: &Compiled, mode: Mode) -> String {
 
 /// Whether both have the same text once their numbers are data. What is measured does not count.
 fn has_same_structure(a: &Compiled, b: &Compiled) -> bool {
-    let is_same_text = if a.scene.measure == b.scene.measure {
-        a.source.sections == b.source.sections
-    } else {
-        own_text(a, Mode::Live) == own_text(b, Mode::Live)
-    };
-    is_same_text && a.scene.images == b.scene.images && a.scene.models == b.scene.models
+    if a.scene.measure == b.scene.measure {
+        return a.has_structure_of(b);
+    }
+    a.scene.has_files_of(&b.scene) && own_text(a, Mode::Live) == own_text(b, Mode::Live)
 }
 
 fn rows_of(hunk: &Hunk) -> impl Iterator<Item = Row> + '_ {
