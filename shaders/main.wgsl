@@ -12,7 +12,7 @@ fn tracePixel(covered: Covered) -> @location(0) vec4f {
     if zero != 0u {
         discard;
     }
-    pixel_view = select(frame.view, frame.beside, covered.pixel.x > frame.divider) + zero;
+    chooseView(covered.pixel.x);
     let now = viewed(seenAt(covered.pixel.xy));
     // The depth is the first sample's, through the pixel's centre: a mean of depths means nothing.
     let before = textureLoad(accumulated, vec2u(covered.pixel.xy), 0);

@@ -19,29 +19,17 @@ const VIEW_OUTWARD: u32 = 14u;
 /// Which of them this pixel shows.
 var<private> pixel_view: u32;
 
+/// The pixels of the column at `x` show one of the two that there may be.
+fn chooseView(x: f32) {
+    pixel_view = select(frame.view, frame.beside, x > frame.divider) + zero;
+}
+
 /// What VIEW_NAN marks broken light with, and the faces' colors of VIEW_FACING.
 const BROKEN: vec3f = vec3f(1.0, 0.0, 1.0);
 const FRONT: vec3f = vec3f(0.25, 0.55, 0.9);
 const BACK: vec3f = vec3f(0.95, 0.35, 0.1);
 /// VIEW_COST is at the end of its colors after so many doublings of 1.
 const MOST_DOUBLINGS: f32 = 16.0;
-
-/// A color for each number, far from its neighbours' in hue (steps of the golden angle).
-fn falseColor(index: u32) -> vec3f {
-    let hue = fract(f32(index) * 0.61803399 + 0.05) * 6.0;
-    let wheel = clamp(abs(vec3f(hue) - vec3f(3.0, 2.0, 4.0)) * vec3f(1.0, -1.0, -1.0)
-        + vec3f(-1.0, 2.0, 2.0), vec3f(0.0), vec3f(1.0));
-    return mix(vec3f(0.35), wheel, 0.75);
-}
-
-/// A color for a number from 0 to 1, brighter for more: a quarter each to violet, red, orange, pale yellow.
-fn heatColor(x: f32) -> vec3f {
-    let quarters = clamp(vec4f(4.0 * x) - vec4f(0.0, 1.0, 2.0, 3.0), vec4f(0.0), vec4f(1.0));
-    var color = vec3f(0.34, 0.06, 0.43) * quarters.x;
-    color = mix(color, vec3f(0.73, 0.21, 0.33), quarters.y);
-    color = mix(color, vec3f(0.98, 0.56, 0.04), quarters.z);
-    return mix(color, vec3f(0.99, 1.0, 0.64), quarters.w);
-}
 
 /// Whether a channel is infinite or no number. Its bits tell: a driver may take it that no comparison meets
 /// either.

@@ -68,6 +68,14 @@ impl Compiled {
         self.with_scene(self.scene.clone(), mode)
     }
 
+    /// The same scene as [`wgsl::generate_plain`] writes it: no debug views, and all numbers as literals.
+    ///
+    /// # Errors
+    /// Where naga refuses that text although it took the whole, which would be a mistake of ours.
+    pub fn plain(&self) -> Result<Self, Diagnostic> {
+        self.with_source(self.scene.clone(), wgsl::generate_plain(&self.scene))
+    }
+
     /// The same scene in which only the body that has this one of its objects is seen and casts a shadow.
     /// Lights, camera and background stay, and so do all indices.
     ///
@@ -100,6 +108,10 @@ impl Compiled {
 
     fn with_scene(&self, scene: ir::Scene, mode: Mode) -> Result<Self, Diagnostic> {
         let source = wgsl::generate(&scene, mode);
+        self.with_source(scene, source)
+    }
+
+    fn with_source(&self, scene: ir::Scene, source: Source) -> Result<Self, Diagnostic> {
         let module = on_deep_stack(|| module::validate(&source))?;
         Ok(Self { text: self.text.clone(), scene, source, module, times: self.times })
     }
@@ -109,10 +121,7 @@ impl Compiled {
     /// # Errors
     /// Where naga refuses them, since a file of the author's has a function of the same name.
     pub fn probed(&self) -> Result<Self, Diagnostic> {
-        let source = self.source.clone().with_probe();
-        let module = on_deep_stack(|| module::validate(&source))?;
-        let (text, scene) = (self.text.clone(), self.scene.clone());
-        Ok(Self { text, scene, source, module, times: self.times })
+        self.with_source(self.scene.clone(), self.source.clone().with_probe())
     }
 }
 

@@ -7,13 +7,15 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::{Duration, Instant};
 
-use notify::event::{AccessKind, AccessMode, EventKind};
+use notify::event::{AccessKind, AccessMode, EventKind, ModifyKind, RenameMode};
 use notify::{RecommendedWatcher, RecursiveMode, Watcher as _};
 
 use crate::sources::{Answer, Sources};
 
 /// Files are read once they have been left alone for this long.
 const QUIET: Duration = Duration::from_millis(15);
+/// The same where the system says that a file was closed or put in its place: others may follow.
+const QUIET_AFTER_CLOSE: Duration = Duration::from_millis(3);
 /// Whoever never leaves them alone is shown what there is after this long.
 const IMPATIENCE: Duration = Duration::from_millis(250);
 /// Network folders, and systems out of watches, give no events: a look now and then finds the change.
@@ -28,7 +30,8 @@ type Asked = BTreeMap<PathBuf, Answer>;
 
 enum Message {
     Watch(Asked),
-    Stirred,
+    /// Something happens in a folder, and how long it should be quiet before that counts as over.
+    Stirred(Duration),
 }
 
 impl Watcher {
@@ -56,8 +59,8 @@ fn run(receiver: &Receiver<Message>, events: Sender<Message>, changed: &dyn Fn()
                 folders.follow(&new);
                 asked = Some(new);
             }
-            Ok(Message::Stirred) => {
-                asked = wait_for_quiet(receiver).or(asked);
+            Ok(Message::Stirred(quiet)) => {
+                asked = wait_for_quiet(receiver, quiet).or(asked);
                 // A folder that was missing may be there now, and will get its files later.
                 asked.iter().for_each(|asked| folders.follow(asked));
             }
@@ -72,12 +75,12 @@ fn run(receiver: &Receiver<Message>, events: Sender<Message>, changed: &dyn Fn()
 }
 
 /// Waits on the trailing edge of a burst; what is to be watched next, if that came in between.
-fn wait_for_quiet(receiver: &Receiver<Message>) -> Option<Asked> {
+fn wait_for_quiet(receiver: &Receiver<Message>, mut quiet: Duration) -> Option<Asked> {
     let begun = Instant::now();
     let mut next = None;
     while begun.elapsed() < IMPATIENCE {
-        match receiver.recv_timeout(QUIET) {
-            Ok(Message::Stirred) => {}
+        match receiver.recv_timeout(quiet) {
+            Ok(Message::Stirred(next)) => quiet = next,
             Ok(Message::Watch(new)) => next = Some(new),
             Err(_) => break,
         }
@@ -105,15 +108,16 @@ struct Folders {
 impl Folders {
     fn new(events: Sender<Message>) -> Self {
         let on_event = move |event: notify::Result<notify::Event>| {
-            // Our own reading makes events too, and must not wake us.
-            let is_reading = event.as_ref().is_ok_and(|event| match event.kind {
-                EventKind::Access(AccessKind::Close(AccessMode::Write)) => false,
-                EventKind::Access(_) => true,
-                _ => false,
-            });
-            if !is_reading {
-                let _ = events.send(Message::Stirred);
-            }
+            let quiet = match event.as_ref().map(|event| event.kind) {
+                Ok(EventKind::Access(AccessKind::Close(AccessMode::Write))) => QUIET_AFTER_CLOSE,
+                Ok(EventKind::Modify(ModifyKind::Name(RenameMode::To | RenameMode::Both))) => {
+                    QUIET_AFTER_CLOSE
+                }
+                // Our own reading makes events too, and must not wake us.
+                Ok(EventKind::Access(_)) => return,
+                _ => QUIET,
+            };
+            let _ = events.send(Message::Stirred(quiet));
         };
         Self { watcher: notify::recommended_watcher(on_event).ok(), watched: BTreeSet::new() }
     }

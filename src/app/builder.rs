@@ -1,73 +1,28 @@
 //! The thread that turns files into pipelines: compile, tell what kind of edit it was, ask the driver.
 //!
-//! A structural edit is shown with its numbers baked in, which a driver compiles sooner and draws faster. The
-//! live pipeline follows once that is on the screen, so that it is there before the author changes a number.
+//! A structural edit is shown with its numbers baked in, which a driver compiles sooner and draws faster, and
+//! without debug views where none is looked at. The full pipeline, with live numbers, follows once that is on
+//! the screen, so that it is there before the author changes a number.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Sender, channel};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use super::events::Change;
 use super::focus::Focus;
+use super::orders::{Built, Order, Version};
 use super::trial::Trial;
 use crate::diagnostic::{Diagnostic, Report};
 use crate::gpu::{Gpu, Pipeline};
 use crate::ir::Measure;
 use crate::library::Library;
-use crate::outline::{self, Outline};
+use crate::outline;
 use crate::scene;
 use crate::sources::Sources;
 use crate::watch::Watcher;
 use crate::wgsl::Mode;
 use crate::{Compiled, compile, on_deep_stack};
-
-/// What to build.
-pub enum Order {
-    /// Another scene.
-    Open(PathBuf),
-    /// The same, whose files have changed.
-    Changed,
-    /// The same, with this text instead of what the scene's file holds; None for the file's again.
-    Edited(Option<Arc<str>>),
-    /// The same, of which only this is to be seen.
-    Focus(Focus),
-    /// The same, with the number of this name for the debug view `value`; None for none.
-    Measure(Option<String>),
-    /// This version is on the screen: there is time for its live pipeline.
-    Shown(Arc<Compiled>),
-    /// No more.
-    End,
-}
-
-/// What came of it.
-pub enum Built {
-    /// Nothing yet: the files have changed, and a verdict follows.
-    Begun,
-    /// The scene's file holds another text than before.
-    File(Arc<str>),
-    /// What the scene's text, as it was shown or found wrong, offers to change.
-    Outline {
-        outline: Box<Outline>,
-        text: Arc<str>,
-    },
-    Scene(Box<Version>),
-    /// The live pipeline of the last [`Change::Structure`].
-    Live(Pipeline),
-    Broken(Report),
-}
-
-/// A version of the scene that can be drawn.
-pub struct Version {
-    pub compiled: Arc<Compiled>,
-    pub change: Change,
-    /// The baked pipeline of a [`Change::Structure`]; others keep the live one.
-    pub baked: Option<Pipeline>,
-    pub pipeline_time: Duration,
-    pub warnings: Report,
-    /// When the change was noticed.
-    pub noticed: Instant,
-}
 
 /// Starts the thread; each result goes to `done`. What `trial` has found of versions on other devices counts.
 pub fn start(gpu: Gpu, trial: Trial, done: impl Fn(Built) + Send + 'static) -> Sender<Order> {
@@ -84,7 +39,8 @@ pub fn start(gpu: Gpu, trial: Trial, done: impl Fn(Built) + Send + 'static) -> S
             focus: Focus::All,
             measure: None,
             before: None,
-            without_live: None,
+            without_full: None,
+            shows_views: false,
             trial,
         };
         builder.begin_again(&done);
@@ -111,8 +67,9 @@ struct Builder {
     measure: Option<String>,
     /// The last version that could be drawn.
     before: Option<Arc<Compiled>>,
-    /// The same, while it has no live pipeline: that waits until the author sees the baked one.
-    without_live: Option<Arc<Compiled>>,
+    /// The same, while it has no full pipeline: that waits until the author sees the baked one.
+    without_full: Option<Arc<Compiled>>,
+    shows_views: bool,
     trial: Trial,
 }
 
@@ -132,7 +89,7 @@ impl Builder {
             noticed,
         })));
         self.before = Some(compiled.clone());
-        self.without_live = Some(compiled);
+        self.without_full = Some(compiled);
     }
 
     /// Takes all orders that have come as one.
@@ -143,7 +100,7 @@ impl Builder {
             is_stale |= match &order {
                 // The window tells it again where a file has changed, which is known here.
                 Order::Edited(text) => *text != self.edited,
-                Order::Shown(_) => false,
+                Order::Shown(_) | Order::Views(_) => false,
                 _ => true,
             };
             match order {
@@ -158,8 +115,13 @@ impl Builder {
                 Order::Measure(name) => self.measure = name,
                 Order::Edited(text) => self.edited = text,
                 Order::Changed | Order::End => {}
+                Order::Views(shows) => {
+                    self.shows_views = shows;
+                    // What is baked may have none, and then nothing can be shown before the rest is there.
+                    is_shown |= shows;
+                }
                 Order::Shown(compiled) => {
-                    is_shown |= self.without_live.as_ref().is_some_and(|last| Arc::ptr_eq(last, &compiled));
+                    is_shown |= self.without_full.as_ref().is_some_and(|last| Arc::ptr_eq(last, &compiled));
                 }
             }
         }
@@ -168,7 +130,7 @@ impl Builder {
             self.outline(done);
         }
         if is_shown && !is_new {
-            self.build_live(done);
+            self.build_full(done);
         }
     }
 
@@ -210,7 +172,7 @@ impl Builder {
             return None;
         }
         let mut change = self.change(&compiled);
-        if change == Change::Numbers && !self.build_live(done) {
+        if change == Change::Numbers && !self.build_full(done) {
             change = Change::Structure;
         }
         let started = Instant::now();
@@ -236,7 +198,7 @@ impl Builder {
         done(Built::Scene(Box::new(version)));
         self.before = Some(compiled.clone());
         if change == Change::Structure {
-            self.without_live = Some(compiled);
+            self.without_full = Some(compiled);
         }
         Some(change)
     }
@@ -262,20 +224,24 @@ impl Builder {
         }
     }
 
-    /// Makes the live pipeline of the last structural edit, if that has none yet; whether there is one now.
-    fn build_live(&mut self, done: &impl Fn(Built)) -> bool {
-        let Some(compiled) = self.without_live.take() else { return self.before.is_some() };
-        match Pipeline::build(&self.gpu, &compiled) {
-            Ok(pipeline) => done(Built::Live(pipeline)),
+    /// Makes the full pipeline of the last structural edit, if that has none yet. Whether its numbers are live.
+    fn build_full(&mut self, done: &impl Fn(Built)) -> bool {
+        let Some(compiled) = self.without_full.take() else { return self.before.is_some() };
+        let full = Pipeline::build(&self.gpu, &compiled).or_else(|_| {
             // A scene may have more numbers than the GPU takes. Then every edit is a structural one.
-            Err(_) => self.before = None,
-        }
+            self.before = None;
+            self.build_baked(compiled.in_mode(Mode::Baked))
+        });
+        full.into_iter().for_each(|pipeline| done(Built::Full(pipeline)));
         self.before.is_some()
     }
 
     fn baked(&self, compiled: &Compiled) -> Result<Pipeline, Diagnostic> {
-        let twin = compiled.in_mode(Mode::Baked)?;
-        Pipeline::build(&self.gpu, &twin).map_err(|error| Diagnostic::error(error.to_string()))
+        self.build_baked(if self.shows_views { compiled.in_mode(Mode::Baked) } else { compiled.plain() })
+    }
+
+    fn build_baked(&self, twin: Result<Compiled, Diagnostic>) -> Result<Pipeline, Diagnostic> {
+        Pipeline::build(&self.gpu, &twin?).map_err(|error| Diagnostic::error(error.to_string()))
     }
 
     fn change(&self, compiled: &Compiled) -> Change {

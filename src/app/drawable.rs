@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::builder::Version;
 use super::events::Change;
+use super::orders::Version;
 use crate::gpu::{Gpu, Pipeline};
 
 /// A scene on the GPU.
@@ -11,8 +11,8 @@ pub struct Drawable {
     pub version: Box<Version>,
     pub baked: Option<Pipeline>,
     /// One for all versions that differ in numbers: it has those of the one drawn last.
-    pub live: Option<Arc<Pipeline>>,
-    /// Whether the live pipeline has drawn, in which some drivers compile.
+    pub full: Option<Arc<Pipeline>>,
+    /// Whether the full pipeline has drawn, in which some drivers compile.
     pub is_warm: bool,
     /// Whether a picture of it went to the window.
     pub is_shown: bool,
@@ -32,22 +32,22 @@ impl Drawable {
         let (moves, reads_mouse) = (reads("frame.time"), reads("frame.mouse"));
         let edit = before.map_or(0, |scene| scene.edit + 1);
         let baked = version.baked.take();
-        let live =
-            before.filter(|_| version.change == Change::Numbers).and_then(|before| before.live.clone());
-        let is_warm = live.is_some();
-        Self { version, baked, live, is_warm, is_shown: false, is_proven: false, edit, moves, reads_mouse }
+        let full =
+            before.filter(|_| version.change == Change::Numbers).and_then(|before| before.full.clone());
+        let is_warm = full.is_some();
+        Self { version, baked, full, is_warm, is_shown: false, is_proven: false, edit, moves, reads_mouse }
     }
 
-    /// The baked pipeline until a number is edited, then the live one.
-    pub fn pipeline(&self) -> &Pipeline {
-        let pipeline = self.baked.as_ref().or(self.live.as_deref());
-        pipeline.expect("a scene comes with a baked pipeline, and loses it only to a live one")
+    /// The baked pipeline until a number is edited, then the full one; for debug views one that has them, if
+    /// it is there already.
+    pub fn pipeline(&self, for_views: bool) -> Option<&Pipeline> {
+        self.baked.as_ref().filter(|baked| baked.has_views || !for_views).or(self.full.as_deref())
     }
 
     /// The pipelines get this version's numbers, unless they have them written out.
     pub fn upload(&self, gpu: &Gpu) {
-        if let Some(live) = &self.live {
-            live.upload(gpu, &self.version.compiled.source.numbers);
+        if let Some(full) = &self.full {
+            full.upload(gpu, &self.version.compiled.source.numbers);
         }
     }
 }

@@ -9,8 +9,9 @@ use winit::window::Window;
 
 use super::Options;
 use super::album::Album;
-use super::builder::{self, Order};
+use super::builder;
 use super::messages::{Notice, Wish};
+use super::orders::Order;
 use super::painter;
 use super::panel;
 use super::screen::Screen;

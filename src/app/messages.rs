@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::Remote;
-use super::builder::Built;
 use super::events::Change;
+use super::orders::Built;
 use super::thumbnails;
 use crate::Compiled;
 use crate::diagnostic::Report;
@@ -36,6 +36,13 @@ pub struct Look {
     pub asks: bool,
     /// Whether a picture may take as long as it does.
     pub patient: bool,
+}
+
+impl Look {
+    /// Whether any of it is a debug view.
+    pub fn has_views(&self) -> bool {
+        self.view != View::Color || self.split.is_some()
+    }
 }
 
 /// The time that a scene shows which reads it.

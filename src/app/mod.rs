@@ -21,6 +21,7 @@ mod focus;
 pub mod handles;
 mod messages;
 mod open;
+mod orders;
 mod pace;
 mod painter;
 mod panel;

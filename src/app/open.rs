@@ -10,6 +10,7 @@ use winit::window::Window;
 use super::engine::Engine;
 use super::events::Event;
 use super::messages::{Look, Picture, Wish};
+use super::orders::Order;
 use super::panel::{CaptureDeed, Leaving, Panel};
 use super::settings::Memory;
 use super::trial::Trial;
@@ -107,6 +108,10 @@ impl Open {
                 let _ = self.engine.builder.send(order);
             }
             self.quits |= reply.quits;
+            let had_views = self.look.is_some_and(|look| look.has_views());
+            if had_views != reply.look.has_views() {
+                let _ = self.engine.builder.send(Order::Views(!had_views));
+            }
             if self.look != Some(reply.look) {
                 self.look = Some(reply.look);
                 let _ = self.engine.painter.send(Wish::Look(reply.look));

@@ -9,11 +9,11 @@ use winit::event::{StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
 use winit::window::{Window, WindowId};
 
-use super::builder::Order;
 use super::engine::{self, Engine};
 use super::events::Event;
 use super::messages::{Notice, Wish};
 use super::open::Open;
+use super::orders::Order;
 use super::panel::Panel;
 use super::settings::{Memory, Theme};
 use super::trial::Trial;

@@ -22,6 +22,8 @@ pub struct Pipeline {
     pub(super) guard: Option<Guard>,
     /// Bodies of the scene that cast shadows: they are text, so an upload does not change them.
     pub(super) casters: u32,
+    /// Whether it draws debug views, too.
+    pub has_views: bool,
 }
 
 impl Pipeline {
@@ -156,5 +158,6 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
         FORMAT,
     );
     let casters = compiled.scene.bodies.iter().filter(|body| body.casts_shadow).count() as u32;
-    Pipeline { pipeline, layout, numbers, assets, guard, casters }
+    let has_views = compiled.source.has_views();
+    Pipeline { pipeline, layout, numbers, assets, guard, casters, has_views }
 }

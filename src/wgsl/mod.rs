@@ -77,6 +77,11 @@ impl Source {
         self
     }
 
+    /// Whether it draws debug views.
+    pub fn has_views(&self) -> bool {
+        self.sections.iter().any(|section| section.name == sections::VIEWS)
+    }
+
     /// Whether it has shaders/guard.wgsl, and loops that have to ask it.
     pub fn is_guarded(&self) -> bool {
         self.sections.iter().any(|section| section.name == sections::GUARD)
@@ -103,12 +108,22 @@ impl Source {
 
 /// The module for `scene`.
 pub fn generate(scene: &ir::Scene, mode: Mode) -> Source {
+    generate_for(Host::Raytoy, scene, mode)
+}
+
+/// The module for `scene` without debug views, with its numbers as literals.
+pub fn generate_plain(scene: &ir::Scene) -> Source {
+    let scene = ir::Scene { measure: None, ..scene.clone() };
+    generate_for(Host::RaytoyPlain, &scene, Mode::Baked)
+}
+
+fn generate_for(host: Host, scene: &ir::Scene, mode: Mode) -> Source {
     let mut writer = Writer::new(scene, mode);
     let body = writer.scene_text();
     let mut text = writer.title();
     text.extend(writer.contents());
     text.extend(body);
-    writer.sections(text, Host::Raytoy)
+    writer.sections(text, host)
 }
 
 /// What is known while one scene is written.

@@ -10,7 +10,8 @@ const CORE: [&str; 11] =
     ["pixel", "trace", "look", "point", "shading", "light", "material", "space", "hit", "ray", "frame"];
 
 /// What goes before it: the entry points, by those who call them.
-const OF_RAYTOY: [&str; 4] = ["main", "cover", "view", "signed"];
+const OF_RAYTOY: [&str; 4] = ["main", "cover", "view", "number_color"];
+const OF_RAYTOY_PLAIN: [&str; 4] = ["main", "cover", "plain", "unviewed"];
 const OF_ANY_HOST: [&str; 4] = ["standalone", "cover", "unviewed", "tone"];
 const OF_SHADERTOY: [&str; 3] = ["shadertoy", "unviewed", "tone"];
 
@@ -18,6 +19,8 @@ const OF_SHADERTOY: [&str; 3] = ["shadertoy", "unviewed", "tone"];
 const APART: [&str; 5] = ["display", "guard", "lines", "probe", "unmeasured"];
 const PROBE: &str = "shaders/probe.wgsl";
 const UNMEASURED: &str = "shaders/unmeasured.wgsl";
+/// The debug views.
+pub const VIEWS: &str = "shaders/view.wgsl";
 /// What ends the loops of the author's.
 pub const GUARD: &str = "shaders/guard.wgsl";
 
@@ -26,6 +29,8 @@ pub const GUARD: &str = "shaders/guard.wgsl";
 pub enum Host {
     /// This program: [`crate::gpu`].
     Raytoy,
+    /// The same, as long as it shows no debug view: drivers compile that a fifth sooner.
+    RaytoyPlain,
     /// A program of anyone's, without raytoy.
     Any,
     /// shadertoy.com, which takes one function without any bindings.
@@ -51,6 +56,7 @@ pub fn needed(own: &Section, used: &[Arc<Function>], host: Host) -> Vec<Section>
     }
     let entries = match host {
         Host::Raytoy => &OF_RAYTOY[..],
+        Host::RaytoyPlain => &OF_RAYTOY_PLAIN,
         Host::Any => &OF_ANY_HOST,
         Host::Shadertoy => &OF_SHADERTOY,
     };
@@ -59,7 +65,8 @@ pub fn needed(own: &Section, used: &[Arc<Function>], host: Host) -> Vec<Section>
         sections.push(section(&name, built_in(&name).expect("the lists name files in shaders/")));
     }
     let may_loop_for_ever = |section: &Section| !section.ships() && has_loop(&section.text);
-    if host == Host::Raytoy && sections.iter().any(may_loop_for_ever) {
+    let is_ours = matches!(host, Host::Raytoy | Host::RaytoyPlain);
+    if is_ours && sections.iter().any(may_loop_for_ever) {
         sections.push(section(GUARD, built_in(GUARD).expect("it ships with raytoy")));
     }
     sections
@@ -83,7 +90,7 @@ fn section(name: &str, text: &str) -> Section {
 fn shared() -> impl Iterator<Item = (&'static str, &'static str)> {
     BUILT_IN.iter().copied().filter(|(name, _)| {
         let stem = name.strip_prefix("shaders/").and_then(|n| n.strip_suffix(".wgsl"));
-        let named = [&CORE[..], &OF_RAYTOY, &OF_ANY_HOST, &OF_SHADERTOY, &APART];
+        let named = [&CORE[..], &OF_RAYTOY, &OF_RAYTOY_PLAIN, &OF_ANY_HOST, &OF_SHADERTOY, &APART];
         stem.is_some_and(|s| !s.contains('/') && !named.iter().any(|list| list.contains(&s)))
     })
 }

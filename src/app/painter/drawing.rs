@@ -13,10 +13,11 @@ const COURTESY: Duration = Duration::from_millis(100);
 impl Painter {
     pub(super) fn tell(&mut self) -> Result<(), GpuError> {
         let Some(scene) = &self.scene else { return Ok(()) };
+        let Some(pipeline) = scene.pipeline(true) else { return Ok(()) };
         let compiled = &scene.version.compiled;
         let moment = self.moment(compiled);
         let render = &compiled.scene.render;
-        let identity = Identity::draw(&self.gpu, scene.pipeline(), &moment, render, self.look.size)?;
+        let identity = Identity::draw(&self.gpu, pipeline, &moment, render, self.look.size)?;
         self.is_told = true;
         (self.notify)(Notice::Identity(Box::new(identity)));
         Ok(())
@@ -33,12 +34,13 @@ impl Painter {
 
     /// Draws a pixel that the next sample will draw over.
     pub(super) fn warm_up(&mut self) -> Result<(), GpuError> {
+        self.stretch()?;
         let (Some(scene), Some(tracer)) = (&mut self.scene, &mut self.tracer) else { return Ok(()) };
-        let Some(live) = &scene.live else { return Ok(()) };
+        let Some(full) = &scene.full else { return Ok(()) };
         let compiled = &scene.version.compiled;
         let pixel = Region::after(0, 1, tracer.size());
-        tracer.draw(live, &Moment::of(&compiled.scene), &compiled.scene.render, [0.0; 2], &pixel);
-        live.finish(&self.gpu)?;
+        tracer.draw(full, &Moment::of(&compiled.scene), &compiled.scene.render, [0.0; 2], &pixel);
+        full.finish(&self.gpu)?;
         scene.is_warm = true;
         (self.notify)(Notice::Ready { pipelines: self.gpu.pipelines_made() });
         Ok(())
@@ -49,13 +51,21 @@ impl Painter {
         self.look.size.map(|n| n.div_ceil(self.coarseness))
     }
 
-    pub(super) fn draw_slice(&mut self) -> Result<(), GpuError> {
-        let scene = self.scene.as_ref().expect("is_done has looked");
+    /// Sees to it that there is something to draw on, as large as the picture.
+    fn stretch(&mut self) -> Result<(), GpuError> {
         let size = self.picture_size();
         if self.tracer.as_ref().is_none_or(|t| t.size() != size) {
             self.tracer = Some(Tracer::new(&self.gpu, size)?);
             self.pixels_done = 0;
         }
+        Ok(())
+    }
+
+    pub(super) fn draw_slice(&mut self) -> Result<(), GpuError> {
+        self.stretch()?;
+        let size = self.picture_size();
+        let scene = self.scene.as_ref().expect("is_done has looked");
+        let pipeline = scene.pipeline(self.look.has_views()).expect("is_done has looked");
         let region = Region::after(self.pixels_done, self.pace.pixels(), size);
         let compiled = &scene.version.compiled;
         if self.pixels_done == 0 {
@@ -67,8 +77,8 @@ impl Painter {
         let tracer = self.tracer.as_mut().expect("it was just made");
         let begun = Instant::now();
         let jitter = sample_offset(tracer.samples(), SAMPLES);
-        tracer.draw(scene.pipeline(), &moment, &compiled.scene.render, jitter, &region);
-        scene.pipeline().finish(&self.gpu)?;
+        tracer.draw(pipeline, &moment, &compiled.scene.render, jitter, &region);
+        pipeline.finish(&self.gpu)?;
         self.pace.learn(region.pixels(), begun.elapsed());
         self.pixels_done += region.pixels();
         if self.pixels_done == size[0] * size[1] {

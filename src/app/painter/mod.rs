@@ -8,14 +8,14 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
-use super::builder::{Built, Version};
 use super::drawable::Drawable;
 use super::easel::Easel;
 use super::events::Change;
 use super::messages::{Clock, Look, Notice, Wish};
+use super::orders::{Built, Version};
 use super::pace::Pace;
 use crate::diagnostic::Report;
-use crate::gpu::{Gpu, GpuError, Tracer, View};
+use crate::gpu::{Gpu, GpuError, Pipeline, Tracer, View};
 
 /// A picture that takes longer than this to draw starts coarse.
 const PROMPT: Duration = Duration::from_millis(50);
@@ -134,7 +134,7 @@ impl Painter {
     }
 
     fn is_done(&self) -> bool {
-        if self.scene.is_none() {
+        if self.pipeline().is_none() {
             return true;
         }
         let complete = self.tracer.as_ref().is_some_and(|t| t.samples() >= SAMPLES) && self.coarseness == 1;
@@ -143,17 +143,25 @@ impl Painter {
         self.is_held || self.is_stuck || !is_visible || (complete && !is_owed)
     }
 
+    /// What to draw with, once it is there.
+    fn pipeline(&self) -> Option<&Pipeline> {
+        self.scene.as_ref()?.pipeline(self.look.has_views())
+    }
+
     /// Whether the picture changes by itself.
     fn is_moving(&self) -> bool {
         let moves = self.scene.as_ref().is_some_and(|scene| scene.moves);
         moves && matches!(self.look.clock, Clock::Running { .. })
     }
 
-    /// Whether a live pipeline waits for its first draw, and the author already sees the scene.
+    /// Whether a full pipeline waits for its first draw, and the author already sees the scene or has to wait
+    /// for that.
     fn needs_warming(&self) -> bool {
         let Some(scene) = &self.scene else { return false };
-        let is_settled = self.pixels_done == 0 && (self.coarseness == 1 || self.is_moving());
-        is_settled && scene.is_shown && scene.live.is_some() && !scene.is_warm
+        let is_settled = scene.is_shown && (self.coarseness == 1 || self.is_moving());
+        let has_other = scene.baked.as_ref().is_some_and(|baked| baked.has_views || !self.look.has_views());
+        let is_cold = scene.full.is_some() && !scene.is_warm;
+        is_cold && self.pixels_done == 0 && (is_settled || !has_other)
     }
 
     /// Whether the window waits to know what lies under the pixels of a picture that it shows as fine as it
@@ -161,7 +169,9 @@ impl Painter {
     fn needs_telling(&self) -> bool {
         let is_shown = self.scene.as_ref().is_some_and(|scene| scene.is_shown);
         let is_fine = self.coarseness == 1 && self.tracer.as_ref().is_some_and(|t| t.samples() > 0);
-        self.look.asks && !self.is_told && self.pixels_done == 0 && is_shown && (is_fine || self.is_moving())
+        let can_tell = self.scene.as_ref().is_some_and(|scene| scene.pipeline(true).is_some());
+        let is_asked = self.look.asks && !self.is_told && can_tell;
+        is_asked && self.pixels_done == 0 && is_shown && (is_fine || self.is_moving())
     }
 
     fn grant(&mut self, wish: Wish) {
@@ -197,9 +207,9 @@ impl Painter {
             }
             Wish::Built(Built::Broken(report)) => (self.notify)(Notice::Broken(report)),
             Wish::Built(Built::Scene(version)) => self.take(version),
-            Wish::Built(Built::Live(pipeline)) => {
+            Wish::Built(Built::Full(pipeline)) => {
                 if let Some(scene) = self.refused.as_mut().or(self.scene.as_mut()) {
-                    scene.live = Some(Arc::new(pipeline));
+                    scene.full = Some(Arc::new(pipeline));
                     scene.is_warm = false;
                 }
             }

@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use super::{PROMPT, Painter};
-use crate::app::builder::Version;
 use crate::app::drawable::Drawable;
 use crate::app::messages::Notice;
+use crate::app::orders::Version;
 use crate::diagnostic::{Diagnostic, Report};
 
 /// A picture that takes longer is drawn only for who says that it may.

@@ -3,9 +3,9 @@
 use egui::{Button, Context, KeyboardShortcut, Ui};
 
 use super::{Deeds, Leaving, Panel, style};
-use crate::app::builder::Order;
 use crate::app::commands::{COMMANDS, Command, Entry};
 use crate::app::focus::Focus;
+use crate::app::orders::Order;
 use crate::app::settings::Theme;
 use crate::app::{editor, templates};
 use crate::edit::{Edit, NewValue};

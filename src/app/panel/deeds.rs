@@ -5,7 +5,7 @@
 use egui::Ui;
 
 use super::Panel;
-use crate::app::builder::Order;
+use crate::app::orders::Order;
 use crate::edit::Edit;
 
 /// What is gathered while one frame is laid out.

@@ -5,7 +5,7 @@ use egui::{
 };
 
 use super::{Deeds, Panel};
-use crate::app::builder;
+use crate::app::orders;
 use crate::gpu::View;
 use crate::ir::Measure;
 
@@ -51,7 +51,7 @@ impl Panel {
         let wanted = is_seen.then(|| self.gauge.name.clone());
         if wanted != self.gauge.asked {
             self.gauge.asked.clone_from(&wanted);
-            deeds.orders.push(builder::Order::Measure(wanted));
+            deeds.orders.push(orders::Order::Measure(wanted));
         }
         if !is_seen {
             return;

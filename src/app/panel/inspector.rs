@@ -99,7 +99,7 @@ impl Panel {
         if let Some((i, with_mine)) = choice
             && self.document.settle(i, with_mine)
         {
-            deeds.orders.push(crate::app::builder::Order::Edited(self.document.overlay()));
+            deeds.orders.push(crate::app::orders::Order::Edited(self.document.overlay()));
         }
     }
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use egui::{RichText, Ui};
 
 use super::{Leaving, Panel};
-use crate::app::builder::Order;
+use crate::app::orders::Order;
 
 impl Panel {
     /// Goes on with another scene.

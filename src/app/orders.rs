@@ -1,0 +1,62 @@
+//! What the builder is asked for, and what it answers.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use super::events::Change;
+use super::focus::Focus;
+use crate::Compiled;
+use crate::diagnostic::Report;
+use crate::gpu::Pipeline;
+use crate::outline::Outline;
+
+/// What to build.
+pub enum Order {
+    /// Another scene.
+    Open(PathBuf),
+    /// The same, whose files have changed.
+    Changed,
+    /// The same, with this text instead of what the scene's file holds; None for the file's again.
+    Edited(Option<Arc<str>>),
+    /// The same, of which only this is to be seen.
+    Focus(Focus),
+    /// The same, with the number of this name for the debug view `value`; None for none.
+    Measure(Option<String>),
+    /// Whether a debug view is looked at.
+    Views(bool),
+    /// This version is on the screen: there is time for its full pipeline.
+    Shown(Arc<Compiled>),
+    /// No more.
+    End,
+}
+
+/// What came of it.
+pub enum Built {
+    /// Nothing yet: the files have changed, and a verdict follows.
+    Begun,
+    /// The scene's file holds another text than before.
+    File(Arc<str>),
+    /// What the scene's text, as it was shown or found wrong, offers to change.
+    Outline {
+        outline: Box<Outline>,
+        text: Arc<str>,
+    },
+    Scene(Box<Version>),
+    /// The pipeline of the last [`Change::Structure`] with all debug views, and with live numbers unless the
+    /// GPU takes fewer.
+    Full(Pipeline),
+    Broken(Report),
+}
+
+/// A version of the scene that can be drawn.
+pub struct Version {
+    pub compiled: Arc<Compiled>,
+    pub change: Change,
+    /// The baked pipeline of a [`Change::Structure`]; others keep the full one.
+    pub baked: Option<Pipeline>,
+    pub pipeline_time: Duration,
+    pub warnings: Report,
+    /// When the change was noticed.
+    pub noticed: Instant,
+}
