@@ -6,8 +6,9 @@ mod rays;
 mod reference;
 
 use common::expect_none;
+use glam::Vec3;
 use rays::{Call, DISTANCES, SHAPES, Subject, extent};
-use raytoy::gpu::Gpu;
+use raytoy::gpu::{Gpu, Ray};
 
 /// For each shape and distance.
 const RAYS: u64 = 2000;
@@ -23,6 +24,30 @@ const NORMAL_TOLERANCE: f32 = 1e-3;
 fn crossings_and_normals_keep_their_digits() {
     let Some(gpu) = common::gpu() else { return };
     expect_none(SHAPES.iter().flat_map(|(name, calls)| check(gpu, name, calls)));
+}
+
+#[test]
+fn rays_that_graze_a_ring_meet_it_where_they_should() {
+    let Some(gpu) = common::gpu() else { return };
+    // Where a ray follows the inside of the ring, a hair beside it the crossing is a hundred times as far off.
+    let slanted = "Torus(center: (0, 0.1, 0), axis: (0.3, 1, 0.2), major_radius: 0.8, minor_radius: 0.3)";
+    let rays = [
+        (slanted, [-265.95963, 588.32135, -765.53625], [0.26515743, -0.5872035, 0.76477677]),
+        (slanted, [8473.967, -1846.673, -4980.9478], [-0.09419269, 0.020523015, 0.05537351]),
+        // Near to the ring, and both far from the world's origin.
+        (
+            "Torus(center: (1000, 0.1, 0))",
+            [1001.90076, 1.6066686, -1.9358652],
+            [-0.4123049, -0.499804, 0.761709],
+        ),
+    ];
+    expect_none(rays.into_iter().filter_map(|(call, origin, direction)| {
+        let (origin, direction) = (Vec3::from(origin), Vec3::from(direction));
+        let subject = Subject::new(gpu, (call, 1.25));
+        let tally = subject.ask(&[Ray { origin, t_min: 0.0, direction, t_max: 1e30 }]);
+        let is_met = tally.normal.iter().any(|off| *off < NORMAL_TOLERANCE);
+        (!is_met).then(|| format!("{call}: {:?}, {} excluded", tally.worst, tally.excluded))
+    }));
 }
 
 #[test]
@@ -45,11 +70,7 @@ fn check(gpu: &Gpu, name: &str, calls: &[Call]) -> Vec<String> {
             let limits = [
                 ("crossing is off by", extent(&mut tally.surface, 1.0).0, SURFACE_TOLERANCE),
                 ("normal at its own point is off by", extent(&mut tally.own_normal, 1.0).0, NORMAL_TOLERANCE),
-                (
-                    "normal, in 99.9 % of the rays, is off by",
-                    extent(&mut tally.normal, 0.999).1,
-                    NORMAL_TOLERANCE,
-                ),
+                ("normal is off by", extent(&mut tally.normal, 1.0).0, NORMAL_TOLERANCE),
             ];
             let broken = limits.into_iter().filter(|(_, off, most)| off > most);
             problems.extend(broken.map(|(what, off, most)| {

@@ -13,8 +13,8 @@ fn torus(ray: Ray, center: vec3f, axis: vec3f, major_radius: f32, minor_radius: 
     let unit = size / length(ray.direction);
     let direction = normalize(ray.direction);
     let guess = nearestApproach(ray, center);
-    let near = (ray.origin - center + guess * ray.direction) / size;
-    // From afar the guess is off by an ulp of the way; the turns below need the point itself.
+    // From afar the guess is off by an ulp of the way. The point may not be: to a grazing ray a hair is much.
+    let near = rayPointFrom(ray, guess, center) / size;
     let rest = dot(near, direction);
     let nearest = near - rest * direction;
     let middle = guess - rest * unit;

@@ -143,9 +143,7 @@ impl Subject {
                 let mut random = Random(start ^ distance.map_or(0, f64::to_bits));
                 let rays: Vec<Ray> =
                     (start..count.min(start + AT_ONCE)).map(|_| self.ray(&mut random, distance)).collect();
-                let found = self.probe.rays(&rays).unwrap_or_else(|error| panic!("{error}"));
-                let mut tally = Tally::default();
-                rays.iter().zip(&found).for_each(|(ray, found)| self.judge(&mut tally, ray, found.as_ref()));
+                let tally = self.ask(&rays);
                 total.lock().unwrap().join(tally);
             }
         };
@@ -154,6 +152,14 @@ impl Subject {
             (0..threads).for_each(|_| drop(scope.spawn(worker)));
         });
         total.into_inner().unwrap()
+    }
+
+    /// What comes of these rays.
+    pub fn ask(&self, rays: &[Ray]) -> Tally {
+        let found = self.probe.rays(rays).unwrap_or_else(|error| panic!("{error}"));
+        let mut tally = Tally::default();
+        rays.iter().zip(&found).for_each(|(ray, found)| self.judge(&mut tally, ray, found.as_ref()));
+        tally
     }
 
     /// The reference's crossing and its normal.

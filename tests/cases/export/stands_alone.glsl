@@ -424,19 +424,28 @@ uint hashed(uint x_2) {
     return ((word >> 22u) ^ word);
 }
 
-vec3 rayPoint(Ray ray_9, float t_2) {
+vec3 rayPointFrom(Ray ray_9, float t_2, vec3 center_3) {
     float t_high = uintBitsToFloat((floatBitsToUint(t_2) & HIGH_HALF));
     float t_low = (t_2 - t_high);
     vec3 high_1 = uintBitsToFloat((floatBitsToUint(ray_9.direction) & uvec3(4294963200u)));
     vec3 low_1 = (ray_9.direction - high_1);
-    return ((((ray_9.origin + (t_high * high_1)) + (t_low * high_1)) + (t_high * low_1)) + (t_low * low_1));
+    vec3 way = (t_high * high_1);
+    vec3 there_1 = (ray_9.origin + way);
+    vec3 apart = (ray_9.origin - center_3);
+    vec3 point = mix((there_1 - center_3), (apart + way), lessThan(abs(apart), abs(there_1)));
+    return (((point + (t_low * high_1)) + (t_high * low_1)) + (t_low * low_1));
 }
 
-vec3 slipAlong(Ray ray_10, float t_3, Placed there) {
-    float approach_1 = dot(there.facet, ray_10.direction);
+vec3 rayPoint(Ray ray_10, float t_3) {
+    vec3 _e4 = rayPointFrom(ray_10, t_3, vec3(0.0));
+    return _e4;
+}
+
+vec3 slipAlong(Ray ray_11, float t_4, Placed there) {
+    float approach_1 = dot(there.facet, ray_11.direction);
     float slip = (there.gap / ((abs(approach_1) < 1e-20) ? 1e-20 : approach_1));
-    float most = (4e-6 * t_3);
-    return (clamp(slip, -(most), most) * ray_10.direction);
+    float most = (4e-6 * t_4);
+    return (clamp(slip, -(most), most) * ray_11.direction);
 }
 
 Material summed(Material a, Material b) {
@@ -447,7 +456,7 @@ Material meanOf(Material sum, float share) {
     return Material((share * sum.color), (share * sum.specular), (share * sum.emission), (share * sum.shininess), (share * sum.reflectivity), sum.fresnel, (share * sum.transmission), sum.ior);
 }
 
-Looked looked(Ray ray_11, Hit hit_2, float width_1) {
+Looked looked(Ray ray_12, Hit hit_2, float width_1) {
     Looked seen = Looked(vec3(0.0), Placed(Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0), vec3(0.0), vec3(0.0), 0.0, 0.0), Material(vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0));
     bool corrected = false;
     float footprint = 0.0;
@@ -456,7 +465,7 @@ Looked looked(Ray ray_11, Hit hit_2, float width_1) {
     uint look = 0u;
     bool local_2 = false;
     Surface at_6 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0);
-    vec3 _e6 = rayPoint(ray_11, hit_2.t);
+    vec3 _e6 = rayPoint(ray_12, hit_2.t);
     seen.point = _e6;
     while(true) {
         uint _e18 = look;
@@ -475,7 +484,7 @@ Looked looked(Ray ray_11, Hit hit_2, float width_1) {
             bool _e43 = corrected;
             if (!(_e43)) {
                 corrected = true;
-                vec3 _e47 = slipAlong(ray_11, hit_2.t, _e42);
+                vec3 _e47 = slipAlong(ray_12, hit_2.t, _e42);
                 vec3 _e51 = seen.point;
                 if ((length(_e47) > (MOST_SLIP * length(_e51)))) {
                     vec3 _e56 = seen.point;
@@ -486,8 +495,8 @@ Looked looked(Ray ray_11, Hit hit_2, float width_1) {
             uint _e58 = look;
             if ((_e58 == 0u)) {
                 seen.met = _e42;
-                float cosine_1 = max(abs(dot(_e42.normal, ray_11.direction)), 0.02);
-                vec3 along = (ray_11.direction - (dot(ray_11.direction, _e42.normal) * _e42.normal));
+                float cosine_1 = max(abs(dot(_e42.normal, ray_12.direction)), 0.02);
+                vec3 along = (ray_12.direction - (dot(ray_12.direction, _e42.normal) * _e42.normal));
                 uint wanted = ((2u * uint((0.5 / cosine_1))) + 1u);
                 if ((width_1 > 0.0)) {
                     bool _e87 = isTextured(hit_2.object);
@@ -524,8 +533,8 @@ Looked looked(Ray ray_11, Hit hit_2, float width_1) {
     return _e143;
 }
 
-vec3 spawnPoint(vec3 p_6, vec3 normal_3, float t_4) {
-    float size_2 = max(max(abs(p_6.x), abs(p_6.y)), max(abs(p_6.z), t_4));
+vec3 spawnPoint(vec3 p_6, vec3 normal_3, float t_5) {
+    float size_2 = max(max(abs(p_6.x), abs(p_6.y)), max(abs(p_6.z), t_5));
     return (p_6 + ((SPAWN_ERROR * size_2) * normal_3));
 }
 
@@ -581,9 +590,9 @@ float visibleShare(Light light_2, vec3 origin) {
             uint _e89 = i;
             vec2 square = ((2.0 * fract((turn + (float(_e89) * vec2(0.7548777, 0.5698403))))) - vec2(1.0));
             vec2 on = (round_ ? disk : square);
-            Ray ray_12 = Ray(origin, 0.0, ((light_2.to + (on.x * u_1)) + (on.y * v_3)), light_2.reach);
+            Ray ray_13 = Ray(origin, 0.0, ((light_2.to + (on.x * u_1)) + (on.y * v_3)), light_2.reach);
             float _e113 = open;
-            bool _e114 = sceneBlocks(ray_12);
+            bool _e114 = sceneBlocks(ray_13);
             open = (_e113 + (_e114 ? 0.0 : 1.0));
         }
     }
@@ -694,8 +703,8 @@ Seen traceTree(vec3 origin_2, vec3 direction_3) {
         {
             vec3 _e25 = branch.origin;
             vec3 _e27 = branch.direction;
-            Ray ray_13 = Ray(_e25, 0.0, _e27, NO_HIT);
-            Hit _e31 = rayTraceScene(ray_13);
+            Ray ray_14 = Ray(_e25, 0.0, _e27, NO_HIT);
+            Hit _e31 = rayTraceScene(ray_14);
             uint depth = branch.depth;
             uint _e36 = seen_1.bounces;
             seen_1.bounces = max(_e36, depth);
@@ -712,7 +721,7 @@ Seen traceTree(vec3 origin_2, vec3 direction_3) {
                 float _e56 = branch.width;
                 float _e59 = frame.pixel_spread;
                 float width_2 = (_e56 + (_e59 * _e31.t));
-                Looked _e63 = looked(ray_13, _e31, width_2);
+                Looked _e63 = looked(ray_14, _e31, width_2);
                 vec3 p_8 = _e63.point;
                 Placed met_2 = _e63.met;
                 Material material_3 = _e63.material;

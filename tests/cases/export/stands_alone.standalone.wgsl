@@ -569,15 +569,25 @@ const MOST_SLIP: f32 = 1e-6;
 /// The bits of a number that its first twelve digits are in.
 const HIGH_HALF: u32 = 0xfffff000u;
 
-/// The ray's point at `t`. Far from the ray's origin the product needs more digits than a number has. So the
-/// factors are cut in halves, whose products are exact (after Dekker, A Floating-Point Technique, 1971). With
-/// fma it would be one line, but Mesa's software driver rounds twice there too.
+/// The ray's point at `t`.
 fn rayPoint(ray: Ray, t: f32) -> vec3f {
+    return rayPointFrom(ray, t, vec3f(0.0));
+}
+
+/// The same as seen from `center`. Far from the ray's origin the product needs more digits than a number has.
+/// So the factors are cut in halves, whose products are exact (after Dekker, A Floating-Point Technique,
+/// 1971). With fma it would be one line, but Mesa's software driver rounds twice there too.
+fn rayPointFrom(ray: Ray, t: f32, center: vec3f) -> vec3f {
     let t_high = bitcast<f32>(bitcast<u32>(t) & HIGH_HALF);
     let t_low = t - t_high;
     let high = bitcast<vec3f>(bitcast<vec3u>(ray.direction) & vec3u(HIGH_HALF));
     let low = ray.direction - high;
-    return ray.origin + t_high * high + t_low * high + t_high * low + t_low * low;
+    let way = t_high * high;
+    // What is left of two large numbers is exact, so the two that leave less come first.
+    let there = ray.origin + way;
+    let apart = ray.origin - center;
+    let point = select(there - center, apart + way, abs(apart) < abs(there));
+    return point + t_low * high + t_high * low + t_low * low;
 }
 
 /// The way along `ray` from its point at `t` to the surface `there`, which was asked for at that point: a
