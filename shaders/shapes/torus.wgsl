@@ -32,9 +32,8 @@ fn torus(ray: Ray, center: vec3f, axis: vec3f, major_radius: f32, minor_radius: 
     let drift = direction - rise * up;
     let p = dot(nearest, nearest) - minor * minor - major * major * (1.0 - 2.0 * rise * rise);
     var turns = torusTurns(p, 2.0 * major * major * height * rise);
-    // Between two turns the quartic is monotone: at most one crossing, and then the distances on
-    // either side differ in sign. The distance keeps the digits that the quartic loses, so it
-    // alone is solved, by Newton's method within the bracket.
+    // Between two turns the quartic is monotone: at most one crossing, with a change of sign. The distance
+    // keeps the digits that the quartic loses, so it alone is solved, by Newton's method within the bracket.
     var t = first;
     var low = first;
     var high = last;
@@ -73,19 +72,23 @@ fn torus(ray: Ray, center: vec3f, axis: vec3f, major_radius: f32, minor_radius: 
 
 /// The real roots of t³ + p t + q, in order: where the quartic t⁴ + 2 p t² + 4 q t + ... turns.
 fn torusTurns(p: f32, q: f32) -> vec3f {
-    let third = p / 3.0;
-    let discriminant = 0.25 * q * q + third * third * third;
-    if discriminant < 0.0 {
-        let angle = atan2(sqrt(-discriminant), 1e-20 - 0.5 * q) / 3.0;
-        return 2.0 * sqrt(-third) * cos(angle + vec3f(2.0943951, -2.0943951, 0.0));
+    // Newton's steps from beyond all roots lead to the outermost. Cosines would take drivers long to compile.
+    var outer = select(3.0, -3.0, q > 0.0);
+    for (var i = 0; i < 40; i++) {
+        let square = outer * outer;
+        let step = (outer * (square + p) + q) / max(3.0 * square + p, 1e-12);
+        outer -= step;
+        if abs(step) < 1e-6 {
+            break;
+        }
     }
-    let u = pow(max(0.5 * abs(q) + sqrt(discriminant), 1e-30), 1.0 / 3.0);
-    return vec3f(sign(q) * (third / u - u));
+    let apart = sqrt(max(-0.75 * outer * outer - p, 0.0));
+    let low = -0.5 * outer - apart;
+    let high = -0.5 * outer + apart;
+    return select(vec3f(outer, low, high), vec3f(low, high, outer), outer > 0.0);
 }
 
-fn torusSurface(
-    p: vec3f, center: vec3f, axis: vec3f, major_radius: f32, minor_radius: f32,
-) -> Surface {
+fn torusSurface(p: vec3f, center: vec3f, axis: vec3f, major_radius: f32, minor_radius: f32) -> Surface {
     // Turned over, so that around y the angle goes from +x towards +z, as on a sphere.
     let frame = frameAround(-normalize(axis));
     let q = (p - center) * frame;

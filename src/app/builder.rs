@@ -224,7 +224,7 @@ impl Builder {
         }
     }
 
-    /// Makes the full pipeline of the last structural edit, if that has none yet. Whether its numbers are live.
+    /// Makes the full pipeline of the last structural edit, if that has none yet. Are its numbers live?
     fn build_full(&mut self, done: &impl Fn(Built)) -> bool {
         let Some(compiled) = self.without_full.take() else { return self.before.is_some() };
         let full = Pipeline::build(&self.gpu, &compiled).or_else(|_| {
