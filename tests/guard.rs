@@ -4,6 +4,8 @@ mod common;
 #[path = "guard/window.rs"]
 mod window;
 
+use std::process::Command;
+
 use common::folder::{Folder, stderr, stdout};
 use common::{check_text, expect_compiled, expect_none, gpu, outcome_of};
 use naga::back::glsl;
@@ -214,6 +216,38 @@ fn the_laws_are_not_asked_for_ever() {
             "{told}"
         );
     }
+}
+
+/// Run by the test below, in a process of its own: errors of a device that works, and of one that is lost.
+#[test]
+#[ignore = "it makes mistakes on purpose"]
+fn mistakes_on_purpose() {
+    let gpu = gpu().expect("the test below has one");
+    let buffer = |label, usage| {
+        let descriptor =
+            wgpu::BufferDescriptor { label: Some(label), size: 4, usage, mapped_at_creation: false };
+        gpu.device.create_buffer(&descriptor)
+    };
+    buffer("of no use", wgpu::BufferUsages::empty());
+    gpu.lose();
+    let late = buffer("too late", wgpu::BufferUsages::MAP_READ);
+    late.slice(..).map_async(wgpu::MapMode::Read, |_| ());
+}
+
+#[test]
+fn what_a_lost_device_refuses_is_not_told_and_what_another_one_refuses_is() {
+    if gpu().is_none() {
+        return;
+    }
+    let tests = std::env::current_exe().expect("it runs");
+    let output = Command::new(tests)
+        .args(["--ignored", "--exact", "mistakes_on_purpose", "--nocapture"])
+        .output()
+        .expect("it runs once more");
+    let told = stderr(&output);
+    assert!(output.status.success(), "{told}");
+    assert!(told.starts_with("raytoy: GPU error: Validation Error") && told.contains("of no use"), "{told}");
+    assert!(!told.contains("too late") && told.matches("Validation Error").count() == 1, "{told}");
 }
 
 #[test]

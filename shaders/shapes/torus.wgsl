@@ -74,18 +74,15 @@ fn torus(ray: Ray, center: vec3f, axis: vec3f, major_radius: f32, minor_radius: 
 fn torusTurns(p: f32, q: f32) -> vec3f {
     // Newton's steps from beyond all roots lead to the outermost. Cosines would take drivers long to compile.
     var outer = select(3.0, -3.0, q > 0.0);
-    for (var i = 0; i < 40; i++) {
-        let square = outer * outer;
-        let step = (outer * (square + p) + q) / max(3.0 * square + p, 1e-12);
+    var step = outer;
+    for (var i = 0; i < 40 && abs(step) > 1e-6; i++) {
+        step = (outer * (outer * outer + p) + q) / max(3.0 * outer * outer + p, 1e-12);
         outer -= step;
-        if abs(step) < 1e-6 {
-            break;
-        }
     }
-    let apart = sqrt(max(-0.75 * outer * outer - p, 0.0));
-    let low = -0.5 * outer - apart;
-    let high = -0.5 * outer + apart;
-    return select(vec3f(outer, low, high), vec3f(low, high, outer), outer > 0.0);
+    let middle = -0.5 * outer;
+    let apart = sqrt(max(-3.0 * middle * middle - p, 0.0));
+    let inner = vec2f(middle - apart, middle + apart);
+    return select(vec3f(outer, inner), vec3f(inner, outer), outer > 0.0);
 }
 
 fn torusSurface(p: vec3f, center: vec3f, axis: vec3f, major_radius: f32, minor_radius: f32) -> Surface {

@@ -95,11 +95,7 @@ impl Engine {
 
     /// Ends the devices as a driver does that gives up.
     pub fn lose(&self) {
-        for gpu in [&self.gpu, &self.screen.gpu] {
-            gpu.device.destroy();
-            // Only a look at the device makes it tell.
-            let _ = gpu.device.poll(wgpu::PollType::Poll);
-        }
+        [&self.gpu, &self.screen.gpu].into_iter().for_each(Gpu::lose);
     }
 }
 

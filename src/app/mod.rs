@@ -22,7 +22,6 @@ pub mod handles;
 mod messages;
 mod open;
 mod orders;
-mod pace;
 mod painter;
 mod panel;
 mod screen;

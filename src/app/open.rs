@@ -128,6 +128,10 @@ impl Open {
         let place = self.look.map_or(([0; 2], 1), |look| (look.corner, look.size[0]));
         let Engine { screen, context, .. } = &mut self.engine;
         // egui's renderer panics where the device is lost, which is about to be told.
+        if screen.gpu.is_lost() {
+            return false;
+        }
+        // It may also be lost meanwhile.
         catch_unwind(AssertUnwindSafe(|| screen.present(place, context, output, &self.window)))
             .unwrap_or(false)
     }

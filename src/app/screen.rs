@@ -16,6 +16,8 @@ pub struct Screen {
     /// What puts the picture there: faster than egui, which blends.
     display: Display,
     picture: Option<wgpu::Texture>,
+    /// The same where it has come through memory, and so outlives the device.
+    kept: Option<Texels>,
     /// As egui calls it.
     picture_id: Option<egui::TextureId>,
 }
@@ -46,7 +48,7 @@ impl Screen {
         let options = egui_wgpu::RendererOptions { dithering: false, ..Default::default() };
         let egui = egui_wgpu::Renderer::new(&gpu.device, config.format, options);
         let display = Display::new(&gpu, config.format);
-        Ok(Self { gpu, surface, config, egui, display, picture: None, picture_id: None })
+        Ok(Self { gpu, surface, config, egui, display, picture: None, kept: None, picture_id: None })
     }
 
     pub fn resize(&mut self, width: u32, height: u32) {
@@ -64,10 +66,10 @@ impl Screen {
 
     pub fn set_picture(&mut self, texels: Texels) {
         let Gpu { device, queue, .. } = &self.gpu;
-        let texture = match texels {
-            Texels::Shared(texture) => texture,
+        let texture = match &texels {
+            Texels::Shared(texture) => texture.clone(),
             Texels::Bytes { size: [width, height], rgba } => {
-                let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
+                let size = wgpu::Extent3d { width: *width, height: *height, depth_or_array_layers: 1 };
                 let old = self.picture.take().filter(|texture| texture.size() == size);
                 let texture = old.unwrap_or_else(|| picture_texture(device, size));
                 let layout = wgpu::TexelCopyBufferLayout {
@@ -75,7 +77,7 @@ impl Screen {
                     bytes_per_row: Some(4 * width),
                     rows_per_image: None,
                 };
-                queue.write_texture(texture.as_image_copy(), &rgba, layout, size);
+                queue.write_texture(texture.as_image_copy(), rgba, layout, size);
                 texture
             }
         };
@@ -85,6 +87,12 @@ impl Screen {
             None => self.picture_id = Some(self.egui.register_native_texture(device, &view, filter)),
         }
         self.picture = Some(texture);
+        self.kept = matches!(texels, Texels::Bytes { .. }).then_some(texels);
+    }
+
+    /// The picture for the screen of another device, unless it is lost with this one.
+    pub fn take_picture(&mut self) -> Option<Texels> {
+        self.kept.take()
     }
 
     /// Draws the picture at its corner, so many pixels wide, and what egui has laid out; whether the screen

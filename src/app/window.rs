@@ -88,9 +88,10 @@ impl App<'_> {
     /// Goes on with another device in place of one that is lost. What the author has done stays.
     fn restart(&mut self, event_loop: &ActiveEventLoop, why: String) {
         let Some(open) = self.open.take() else { return };
-        let Open { window, engine, restarts, vain, mut trial, mut panel, memory: kept, .. } = open;
+        let Open { window, mut engine, restarts, vain, mut trial, mut panel, memory: kept, .. } = open;
         trial.fail(&why);
         let memory = engine.context.memory(Clone::clone);
+        let picture = engine.screen.take_picture();
         // The surface has to let go of the window before another one takes it.
         drop(engine);
         let number = restarts + 1;
@@ -102,7 +103,9 @@ impl App<'_> {
             false => Err(format!("the GPU is lost again and again: {why}")),
         };
         match started {
-            Ok(engine) => {
+            Ok(mut engine) => {
+                // It stays on the screen while the new device draws it again.
+                picture.into_iter().for_each(|picture| engine.screen.set_picture(picture));
                 engine.context.memory_mut(|fresh| *fresh = memory);
                 for order in panel.begin_again() {
                     let _ = engine.builder.send(order);

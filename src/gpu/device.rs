@@ -1,7 +1,7 @@
 //! An adapter and its device, and a count of what is made on it.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::Duration;
 
 use crate::diagnostic::Report;
@@ -13,6 +13,7 @@ pub struct Gpu {
     pub device: wgpu::Device,
     pub queue: wgpu::Queue,
     made: Arc<AtomicU32>,
+    lost: Arc<AtomicBool>,
 }
 
 /// Which of the machine's adapters to take.
@@ -99,14 +100,40 @@ impl Gpu {
         let descriptor = wgpu::DeviceDescriptor { required_limits, ..Default::default() };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
             .map_err(|error| GpuError::Refused(error.to_string()))?;
-        // Errors are caught in scopes; one that slips through must not end the program.
-        device.on_uncaptured_error(Arc::new(|error: wgpu::Error| eprintln!("raytoy: GPU error: {error}")));
-        Ok(Self { adapter, device, queue, made: Arc::default() })
+        let gpu = Self { adapter, device, queue, made: Arc::default(), lost: Arc::default() };
+        gpu.when_lost(|_| ());
+        let lost = gpu.lost.clone();
+        // Errors are caught in scopes; one that slips through must not end the program. All that is made on a
+        // lost device is invalid, as wgpu says at each use, and that is no news.
+        gpu.device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            if !lost.load(Ordering::Relaxed) {
+                eprintln!("raytoy: GPU error: {error}");
+            }
+        }));
+        Ok(gpu)
     }
 
     /// Calls `told` from another thread, with the reason, when the device is gone, and what was made on it.
     pub fn when_lost(&self, told: impl Fn(String) + Send + 'static) {
-        self.device.set_device_lost_callback(move |_, why| told(why));
+        let lost = self.lost.clone();
+        self.device.set_device_lost_callback(move |_, why| {
+            lost.store(true, Ordering::Relaxed);
+            told(why);
+        });
+    }
+
+    /// Whether the device is gone.
+    pub fn is_lost(&self) -> bool {
+        self.lost.load(Ordering::Relaxed)
+    }
+
+    /// Ends the device as a driver does that gives up.
+    pub fn lose(&self) {
+        // Other threads may fail over it before they hear of it.
+        self.lost.store(true, Ordering::Relaxed);
+        self.device.destroy();
+        // Only a look at the device makes it tell.
+        let _ = self.device.poll(wgpu::PollType::Poll);
     }
 
     /// Whether the adapter is the processor itself.

@@ -7,8 +7,8 @@ use std::ops::ControlFlow;
 use glam::{Vec2, Vec3, uvec2};
 
 use super::lens::Lens;
-use super::slices::{Slices, Subject};
-use super::{Gpu, GpuError, Moment, Pipeline, Tracer, View};
+use super::slices::{SLICE, Subject, draw_sample};
+use super::{Gpu, GpuError, Moment, Pace, Pipeline, Tracer, View};
 use crate::ir;
 
 /// The first surface along the ray through the middle of each pixel.
@@ -53,12 +53,13 @@ impl Identity {
     ) -> Result<Self, GpuError> {
         let bare = ir::Render { max_bounces: 0, shadows: false, texture_filter: false, ..*render };
         let mut tracer = Tracer::new(gpu, size)?;
-        let mut slices = Slices::new();
+        let mut pace = Pace::new(SLICE, gpu.is_software());
         let mut values = |view| {
             tracer.restart();
             let moment = Moment { view, split: None, ..*moment };
             let subject = Subject { gpu, pipeline, render: &bare, moment: &moment };
-            let _ = slices.draw(&mut tracer, subject, [0.0; 2], &mut |_| ControlFlow::Continue(()))?;
+            let mut goes_on = |_| ControlFlow::Continue(());
+            let _ = draw_sample(&mut pace, &mut tracer, subject, [0.0; 2], &mut goes_on)?;
             let bytes = gpu.read_texture(tracer.picture(), 16)?;
             Ok(bytemuck::pod_collect_to_vec(&bytes))
         };

@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use super::slices::{Slices, Subject};
-use super::{Display, Gpu, GpuError, Identity, Light, Moment, Pipeline, Target, Tracer, sample_offset};
+use super::slices::{SLICE, Subject, draw_sample};
+use super::{Display, Gpu, GpuError, Identity, Light, Moment, Pace, Pipeline, Target, Tracer, sample_offset};
 use crate::{Compiled, ir};
 
 /// A finished picture, by rows from the top.
@@ -57,7 +57,7 @@ pub struct Renderer {
     gpu: Gpu,
     pipeline: Pipeline,
     tracer: Tracer,
-    slices: Slices,
+    pace: Pace,
     display: Display,
     canvas: wgpu::Texture,
     options: ir::Render,
@@ -73,12 +73,12 @@ impl Renderer {
         let pipeline = Pipeline::build(gpu, compiled)?;
         let pipeline_time = start.elapsed();
         let tracer = Tracer::new(gpu, size)?;
-        let slices = Slices::new();
+        let pace = Pace::new(SLICE, gpu.is_software());
         let format = wgpu::TextureFormat::Rgba8Unorm;
         let display = Display::new(gpu, format);
         let canvas = display.canvas(tracer.picture(), format);
         let (gpu, options) = (gpu.clone(), compiled.scene.render);
-        Ok(Self { gpu, pipeline, tracer, slices, display, canvas, options, pipeline_time })
+        Ok(Self { gpu, pipeline, tracer, pace, display, canvas, options, pipeline_time })
     }
 
     /// Goes on with a scene that has the same text and other numbers.
@@ -107,7 +107,7 @@ impl Renderer {
             let subject = Subject { gpu: &self.gpu, pipeline: &self.pipeline, render: &self.options, moment };
             let mut tell = |share| progress((sample as f32 + share) / samples as f32);
             let jitter = sample_offset(sample, samples);
-            if self.slices.draw(&mut self.tracer, subject, jitter, &mut tell)?.is_break() {
+            if draw_sample(&mut self.pace, &mut self.tracer, subject, jitter, &mut tell)?.is_break() {
                 return Ok(None);
             }
             if sample == 0 {

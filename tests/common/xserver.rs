@@ -28,6 +28,7 @@ pub struct Desk {
     server: Child,
     raytoy: Child,
     events: Receiver<Value>,
+    errors: Receiver<String>,
     screen: RustConnection,
     root: xproto::Window,
     /// Everything that raytoy said so far.
@@ -78,10 +79,19 @@ impl Desk {
             .env("DISPLAY", &display)
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("WAYLAND_SOCKET")
+            // Without it drivers complain.
+            .env("XDG_RUNTIME_DIR", std::env::temp_dir())
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
             .spawn()
             .expect("raytoy starts");
+        let (sender, errors) = channel();
+        let lines = BufReader::new(raytoy.stderr.take().expect("it is piped")).lines();
+        std::thread::spawn(move || {
+            let told = lines.map_while(Result::ok).inspect(|line| eprintln!("{line}"));
+            let _ = sender.send(told.map(|line| line + "\n").collect());
+        });
         let (sender, events) = channel();
         let lines = BufReader::new(raytoy.stdout.take().expect("it is piped")).lines();
         std::thread::spawn(move || {
@@ -92,7 +102,7 @@ impl Desk {
                 }
             }
         });
-        Some(Self { server, raytoy, events, screen, root, seen: vec![] })
+        Some(Self { server, raytoy, events, errors, screen, root, seen: vec![] })
     }
 
     /// The next event that is `wanted`.
@@ -110,6 +120,13 @@ impl Desk {
                 Err(RecvTimeoutError::Disconnected) => panic!("raytoy ended before {what}"),
             }
         }
+    }
+
+    /// The next event, if it has come.
+    pub fn next_event(&mut self) -> Option<Value> {
+        let event = self.events.try_recv().ok()?;
+        self.seen.push(event.clone());
+        Some(event)
     }
 
     /// Says a word that only a driving program can.
@@ -277,6 +294,26 @@ impl Desk {
         self.screen.xtest_fake_input(kind, detail, 0, self.root, at[0], at[1], 0).expect("the server is up");
         self.screen.flush().expect("the server is up");
         std::thread::sleep(Duration::from_millis(150));
+    }
+
+    /// Ends raytoy; all that it has written to standard error.
+    pub fn end(mut self) -> String {
+        self.raytoy.kill().expect("it is our child");
+        self.errors.recv_timeout(PATIENCE).expect("nothing else writes there")
+    }
+
+    /// The processor time that raytoy uses in `time`, once it rests.
+    pub fn used_at_rest(&self, time: Duration) -> Duration {
+        let until = Instant::now() + PATIENCE;
+        let used_in = |time| {
+            let before = self.processor_time();
+            std::thread::sleep(time);
+            self.processor_time() - before
+        };
+        while used_in(Duration::from_secs(1)) > Duration::from_millis(10) {
+            assert!(Instant::now() < until, "raytoy does not rest");
+        }
+        used_in(time)
     }
 
     /// Processor time that raytoy has used so far.

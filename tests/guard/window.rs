@@ -124,4 +124,5 @@ fn a_version_that_the_device_is_lost_over_is_not_drawn_again() {
     assert_eq!(desk.color_at(AT[0], AT[1]), level(0.2), "the last good scene is there again");
     folder.write("textures/loops.wgsl", &loops(0.6, "false", "3"));
     desk.wait_for_color(AT[0], AT[1], level(0.6));
+    assert_eq!(desk.end(), "", "it is told in the window alone");
 }

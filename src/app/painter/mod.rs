@@ -13,14 +13,15 @@ use super::easel::Easel;
 use super::events::Change;
 use super::messages::{Clock, Look, Notice, Wish};
 use super::orders::{Built, Version};
-use super::pace::Pace;
 use crate::diagnostic::Report;
-use crate::gpu::{Gpu, GpuError, Pipeline, Tracer, View};
+use crate::gpu::{Gpu, GpuError, Pace, Pipeline, Tracer, View};
 
 /// A picture that takes longer than this to draw starts coarse.
 const PROMPT: Duration = Duration::from_millis(50);
 /// The same for one whose pipeline the author has waited for already.
 const PROMPT_EDIT: Duration = Duration::from_millis(10);
+/// No slice of a picture takes much longer: an edit waits for the one that is being drawn.
+const SLICE: Duration = Duration::from_millis(30);
 /// A still picture is done with this many samples.
 const SAMPLES: u32 = 64;
 
@@ -58,7 +59,7 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
             pixels_done: 0,
             is_told: false,
             sample_started: Instant::now(),
-            pace: Pace::new(!shares_device),
+            pace: Pace::new(SLICE, !shares_device),
             is_held: false,
             shown: Instant::now(),
             waits_until: None,

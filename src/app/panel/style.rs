@@ -39,6 +39,8 @@ fn style(mut visuals: Visuals) -> Style {
     visuals.warn_fg_color = warning;
     visuals.error_fg_color = error;
     visuals.slider_trailing_fill = true;
+    // One that blinks has the whole window drawn twice a second, half a processor for a software driver.
+    visuals.text_cursor.blink = false;
     visuals.window_corner_radius = CornerRadius::same(8);
     visuals.menu_corner_radius = CornerRadius::same(6);
     let widgets = &mut visuals.widgets;
