@@ -10,7 +10,7 @@ use raytoy::edit::{Edit, NewValue};
 use raytoy::ir::fields::{FORMS, LIGHTS, OPERATIONS};
 use raytoy::ir::{Property, Scene, Value as Resolved, resolve};
 use raytoy::library::{Const, Family, Library};
-use raytoy::outline::{Control, Field, Node, NodeKind, Outline, Role, example, outline};
+use raytoy::outline::{Control, Field, Node, NodeKind, Outline, Role, example, fields_of, outline};
 use raytoy::scene::{Path, parse};
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
@@ -289,6 +289,28 @@ fn an_example_of_each_name_resolves() {
     for role in [Role::Light, Role::Solid, Role::Texture] {
         assert_eq!(example(role, "Nonsense", &library), None);
     }
+}
+
+#[test]
+fn the_fields_of_a_name_are_those_that_its_things_have() {
+    let sources = Sources::in_memory();
+    let library = Library::new(&sources, File::new(""));
+    let shapes = library.names(Family::Shape).into_iter();
+    let solids = shapes.chain(OPERATIONS.iter().map(|(group, _)| group.name.to_owned()));
+    let solids = solids.map(|name| (Role::Solid, "objects", name));
+    let lights = LIGHTS.iter().map(|light| (Role::Light, "lights", light.name.to_owned()));
+    expect_none(solids.chain(lights).filter_map(|(role, list, name)| {
+        let item = example(role, &name, &library).unwrap_or_else(|| panic!("no example of {name}"));
+        let outline = outline_of(&format!("({list}: [{item}])"), "");
+        let node = outline.all_nodes().into_iter().find(|node| node.path.to_string() == format!("{list}[0]"));
+        let mut shown: Vec<String> = node?.fields.iter().map(|field| field.label.clone()).collect();
+        let mut told = fields_of(role, &name, &library);
+        // For parts, there are nodes of their own.
+        told.retain(|field| field != "parts");
+        shown.sort();
+        told.sort();
+        (shown != told).then(|| format!("{name}: {shown:?}, and not {told:?}"))
+    }));
 }
 
 #[test]

@@ -23,11 +23,11 @@ mod messages;
 mod open;
 mod orders;
 mod painter;
-mod panel;
+pub mod panel;
 mod screen;
 mod settings;
 mod templates;
-mod thumbnails;
+pub mod thumbnails;
 mod trial;
 mod window;
 
@@ -36,7 +36,10 @@ use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex};
 
 pub use commands::{COMMANDS, Command};
-pub use events::Event;
+pub use events::{Change, Event};
+pub use focus::Focus;
+pub use messages::{Clock, Look, Picture, Texels};
+pub use orders::Order;
 pub use settings::{Settings, Theme, cache, folder};
 pub use templates::{new_scene, new_texture};
 

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
-pub use names::{Names, Role, example};
+pub use names::{Names, Role, example, fields_of};
 
 use crate::library::Library;
 use crate::scene::{Path, Value};

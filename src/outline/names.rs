@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::ir::fields::{FORMS, Group, LIGHTS, OPERATIONS};
+use crate::ir::fields::{
+    EVERY_LIGHT, EVERY_OBJECT, EVERY_SOLID, EVERY_TEXTURE, FORMS, Field, Group, LIGHTS, OPERATIONS,
+};
 use crate::library::{Family, Kind, Library, Parameter, Type};
 use crate::scene::{self, Path, Value};
 
@@ -66,23 +68,47 @@ pub enum Role {
 /// RON text with `name` and no more than it must be given, to be put into a scene; None for a name that
 /// nobody knows.
 pub fn example(role: Role, name: &str, library: &Library<'_>) -> Option<String> {
-    let groups: Vec<&Group> = match role {
-        Role::Light => LIGHTS.iter().collect(),
-        Role::Solid => OPERATIONS.iter().map(|(group, _)| group).collect(),
-        Role::Texture => FORMS.iter().collect(),
-    };
-    if let Some(group) = groups.into_iter().find(|group| group.name == name) {
+    if let Some(group) = role.group(name) {
         return Some(group.example.to_owned());
     }
-    let family = match role {
-        Role::Light => return None,
-        Role::Solid => Family::Shape,
-        Role::Texture => Family::Texture,
-    };
-    let function = library.find(family, name).ok()?;
+    let function = library.find(role.family()?, name).ok()?;
     let required = function.parameters.iter().filter(|parameter| parameter.default.is_none());
     let given = required.enumerate().map(|(i, p)| format!("{}: {}", p.name, any(p, i)));
     Some(format!("{name}({})", given.collect::<Vec<_>>().join(", ")))
+}
+
+/// The fields that a `name` can have; of a name that nobody knows, those that all others have, too.
+pub fn fields_of(role: Role, name: &str, library: &Library<'_>) -> Vec<String> {
+    let every: &[&[Field]] = match role {
+        Role::Light => &[EVERY_LIGHT],
+        Role::Solid => &[EVERY_SOLID, EVERY_OBJECT],
+        Role::Texture => &[EVERY_TEXTURE],
+    };
+    let function = role.family().and_then(|family| library.find(family, name).ok());
+    let parameters = function.iter().flat_map(|function| &function.parameters).map(|p| p.name.clone());
+    let own = role.group(name).map_or(&[][..], |group| group.fields);
+    let listed = every.iter().copied().flatten().chain(own).map(|field| field.name.to_owned());
+    parameters.chain(listed).collect()
+}
+
+impl Role {
+    /// The one in the tables with this name.
+    fn group(self, name: &str) -> Option<&'static Group> {
+        match self {
+            Role::Light => LIGHTS.iter().find(|group| group.name == name),
+            Role::Solid => OPERATIONS.iter().map(|(group, _)| group).find(|group| group.name == name),
+            Role::Texture => FORMS.iter().find(|group| group.name == name),
+        }
+    }
+
+    /// Where the others are found.
+    fn family(self) -> Option<Family> {
+        match self {
+            Role::Light => None,
+            Role::Solid => Some(Family::Shape),
+            Role::Texture => Some(Family::Texture),
+        }
+    }
 }
 
 /// Something that `parameter` takes, which has no default, and so no choices. Of vectors, the first is the

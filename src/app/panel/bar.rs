@@ -98,7 +98,7 @@ impl Panel {
             let end = SPAN * (1.0 + (time / SPAN).floor());
             let slider = egui::Slider::new(&mut time, 0.0..=end).suffix(" s").fixed_decimals(2);
             // A slider says that it has changed when it rounds, too.
-            let slider = ui.add(slider);
+            let slider = ui.add(slider).accessible_name("time");
             if slider.dragged() || slider.clicked() || (slider.changed() && slider.has_focus()) {
                 self.clock = Clock::Stopped(time);
             }
@@ -127,11 +127,12 @@ impl Panel {
 }
 
 /// All views to choose from, below the one that is shown.
-pub fn view_menu(ui: &mut Ui, id: &str, chosen: &mut View) {
-    let menu = egui::ComboBox::from_id_salt(id).width(90.0).height(480.0);
-    menu.selected_text(chosen.name()).show_ui(ui, |ui| {
+pub fn view_menu(ui: &mut Ui, called: &str, chosen: &mut View) {
+    let menu = egui::ComboBox::from_id_salt(called).width(90.0).height(480.0);
+    let shown = menu.selected_text(chosen.name()).show_ui(ui, |ui| {
         for (name, view) in View::ALL {
             ui.selectable_value(chosen, view, name);
         }
     });
+    shown.response.accessible_name(called);
 }

@@ -71,23 +71,28 @@ impl Panel {
         let is_here = self.camera.or(self.home) == Some(known.camera());
         ui.horizontal(|ui| {
             let go = Button::selectable(is_here, digit.to_string());
-            if ui.add(go).on_hover_text(format!("go there ({digit})")).clicked() {
+            let go = ui.add(go).on_hover_text(format!("go there ({digit})"));
+            if go.accessible_name(format!("bookmark {digit}")).clicked() {
                 self.go_to(digit);
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                if ui.small_button("×").on_hover_text("remove").clicked() {
+                let cross = ui.small_button("×").on_hover_text("remove");
+                if cross.accessible_name(format!("remove bookmark {digit}")).clicked() {
                     self.settings.change_bookmarks(&self.scene, |kept| kept.remove(digit));
                 }
                 let again = format!("keep the present camera here (Ctrl+{digit})");
-                if ui.small_button("Replace").on_hover_text(again).clicked() {
+                let replace = ui.small_button("Replace").on_hover_text(again);
+                if replace.accessible_name(format!("replace bookmark {digit}")).clicked() {
                     self.keep_bookmark(digit);
                 }
-                if ui.small_button("Go").clicked() {
+                if ui.small_button("Go").accessible_name(format!("go to bookmark {digit}")).clicked() {
                     self.go_to(digit);
                 }
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     let path = Path::default().field("bookmarks").item(digit.into());
-                    if let Some(name) = widgets::text(ui, &path, &known.title()) {
+                    let called = format!("name of bookmark {digit}");
+                    let name = ui.name_inputs(called, |ui| widgets::text(ui, &path, &known.title()));
+                    if let Some(name) = name {
                         self.settings
                             .change_bookmarks(&self.scene, |kept| kept.rename(digit, name.trim().to_owned()));
                     }

@@ -66,31 +66,34 @@ impl Panel {
         let is_movie = MovieFormat::of(self.dialog.file.as_ref()).is_some();
         let Dialog { size, samples, seconds, rate, file, progress, result, .. } = &mut self.dialog;
         egui::Grid::new("capture").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| {
-            ui.label("file");
+            let name = ui.label("file");
             let hint = ".png, .exr, .mp4, .webm or .gif";
-            ui.add(TextEdit::singleline(file).desired_width(220.0)).on_hover_text(hint);
+            let field = ui.add(TextEdit::singleline(file).desired_width(220.0)).on_hover_text(hint);
+            field.labelled_by(name.id);
             ui.end_row();
             ui.label("pixels");
             ui.horizontal(|ui| {
-                for side in size.iter_mut() {
-                    ui.add(DragValue::new(side).range(1..=16384));
+                for (side, name) in size.iter_mut().zip(["width in pixels", "height in pixels"]) {
+                    ui.add(DragValue::new(side).range(1..=16384)).accessible_name(name);
                 }
             });
             ui.end_row();
-            ui.label("samples");
-            ui.add(DragValue::new(samples).range(1..=65536));
+            let name = ui.label("samples");
+            ui.add(DragValue::new(samples).range(1..=65536)).labelled_by(name.id);
             ui.end_row();
             if is_movie {
-                ui.label("seconds");
-                ui.add(DragValue::new(seconds).range(0.1..=600.0).speed(0.1));
+                let name = ui.label("seconds");
+                let number = DragValue::new(seconds).range(0.1..=600.0).speed(0.1);
+                ui.add(number).labelled_by(name.id);
                 ui.end_row();
-                ui.label("frames a second");
-                ui.add(DragValue::new(rate).range(1.0..=120.0));
+                let name = ui.label("frames a second");
+                ui.add(DragValue::new(rate).range(1.0..=120.0)).labelled_by(name.id);
                 ui.end_row();
             }
         });
         if let Some(share) = *progress {
-            ui.add(ProgressBar::new(share).desired_width(280.0).show_percentage());
+            let bar = ui.add(ProgressBar::new(share).desired_width(280.0).show_percentage());
+            bar.accessible_name("progress");
             return ui.button("Stop").clicked().then_some(Deed::Stop);
         }
         let takes = ui.button(if is_movie { "Save the movie" } else { "Save the picture" }).clicked();

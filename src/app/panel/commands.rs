@@ -68,7 +68,7 @@ impl Panel {
         };
         let entry = command.entry();
         let help = format!("{} ({})", entry.does, keys_of(ui.ctx(), entry));
-        let response = ui.add_enabled(self.can(command), button);
+        let response = ui.add_enabled(self.can(command), button).accessible_name(entry.name);
         if response.on_hover_text(&help).on_disabled_hover_text(&help).clicked() {
             self.perform(command, ui.ctx(), deeds);
         }
@@ -76,10 +76,13 @@ impl Panel {
 
     pub(super) fn menu_item(&mut self, ui: &mut Ui, command: Command, deeds: &mut Deeds) {
         let entry = command.entry();
-        let button = Button::new(entry.name)
-            .shortcut_text(keys_of(ui.ctx(), entry))
-            .selected(self.is_on(command) == Some(true));
-        if ui.add_enabled(self.can(command), button).on_hover_text(entry.does).clicked() {
+        let button = Button::new(entry.name).shortcut_text(keys_of(ui.ctx(), entry));
+        let button = match self.is_on(command) {
+            Some(is_on) => button.selected(is_on),
+            None => button,
+        };
+        let item = ui.add_enabled(self.can(command), button).accessible_name(entry.name);
+        if item.on_hover_text(entry.does).clicked() {
             self.perform(command, ui.ctx(), deeds);
             ui.close();
         }

@@ -1,7 +1,9 @@
 //! Two views beside each other, and the divider between them that a hand can move.
 
+use egui::accesskit::Role;
 use egui::{
-    Align2, Area, Color32, CornerRadius, CursorIcon, Event, Id, Order, Pos2, Rect, Response, Sense, Ui, vec2,
+    Align2, Area, Color32, CornerRadius, CursorIcon, Event, Id, Order, Pos2, Rect, Response, Sense, Ui,
+    WidgetInfo, vec2,
 };
 
 use super::bar::view_menu;
@@ -56,6 +58,7 @@ impl Panel {
             let share = (hand.x - area.min.x) / area.width().max(1.0);
             self.divider.split.at = share.clamp(NEAREST, 1.0 - NEAREST);
         }
+        response.widget_info(|| WidgetInfo::labeled(Role::Splitter, true, "divider of the views"));
         let x = place(self.divider.split);
         let color = match (response.is_pointer_button_down_on(), response.hovered()) {
             (true, _) => ACCENT,

@@ -34,7 +34,9 @@ impl Fields<'_> {
             }
             Control::Group { fields } => {
                 let title = egui::CollapsingHeader::new(&field.label).id_salt(field.path.to_string());
-                let shown = title.default_open(field.span.is_some()).show(ui, |ui| self.show(ui, fields));
+                let shown = title.default_open(field.span.is_some()).show(ui, |ui| {
+                    widgets::group(ui, &field.label, |ui| self.show(ui, fields));
+                });
                 shown.header_response.on_hover_text(&field.doc);
             }
             Control::List { items, example } => self.list(ui, field, items, example),
@@ -47,17 +49,19 @@ impl Fields<'_> {
         ui.horizontal(|ui| {
             let text = RichText::new(&field.label);
             let text = if field.span.is_some() { text } else { text.weak() };
-            ui.allocate_ui_with_layout(
+            let name = ui.allocate_ui_with_layout(
                 egui::vec2(LABELS, ui.spacing().interact_size.y),
                 Layout::left_to_right(Align::Center),
                 |ui| {
                     ui.set_min_width(LABELS);
-                    ui.add(egui::Label::new(text).truncate().selectable(false)).on_hover_text(help(field));
+                    ui.add(egui::Label::new(text).truncate().selectable(false)).on_hover_text(help(field))
                 },
             );
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 self.menu(ui, field);
-                ui.with_layout(Layout::left_to_right(Align::Center), |ui| widget(self, ui));
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.label_inputs_by(name.inner.id, |ui| widget(self, ui));
+                });
             });
         });
     }
@@ -68,7 +72,7 @@ impl Fields<'_> {
         if !resets && field.calls.is_empty() && field.declared.is_empty() {
             return;
         }
-        ui.menu_button("…", |ui| {
+        let menu = ui.menu_button("…", |ui| {
             if ui.add_enabled(resets, egui::Button::new("Reset to the default")).clicked() {
                 self.edits.push(Edit::Remove { path: field.path.clone() });
                 ui.close();
@@ -91,6 +95,7 @@ impl Fields<'_> {
                 });
             }
         });
+        menu.response.accessible_name(format!("more for {}", field.label));
     }
 
     fn value(&mut self, ui: &mut Ui, field: &Field) {
@@ -105,14 +110,14 @@ impl Fields<'_> {
             Control::Vector { size, value, default, range } => {
                 let known = self.pending.vector(&field.path).or_else(|| value.clone());
                 let mut numbers = known.or_else(|| default.clone()).unwrap_or_else(|| vec![0.0; *size]);
-                if widgets::vector(ui, &mut numbers, *range) {
+                if widgets::vector(ui, (&field.label, &widgets::AXES), &mut numbers, *range) {
                     self.set(field, NewValue::Vector(numbers));
                 }
             }
             Control::Color { value, default, style } => {
                 let known = self.pending.color(&field.path).or(*value).or(*default);
                 let mut color = known.unwrap_or(Vec3::splat(0.8));
-                if widgets::color(ui, &mut color, *style) {
+                if widgets::color(ui, &field.label, &mut color, *style) {
                     self.set(field, NewValue::Color(color));
                 }
             }
@@ -157,16 +162,20 @@ impl Fields<'_> {
     fn list(&mut self, ui: &mut Ui, field: &Field, items: &[Vec<Field>], example: &str) {
         ui.horizontal(|ui| {
             ui.label(&field.label).on_hover_text(help(field));
-            if ui.small_button("+").on_hover_text("one more").clicked() {
+            let plus = ui.small_button("+").on_hover_text("one more");
+            if plus.accessible_name(format!("add to {}", field.label)).clicked() {
                 let (list, item) = (field.path.clone(), example.to_owned());
                 self.edits.push(Edit::Insert { list, index: items.len(), item });
             }
         });
         for (i, item) in items.iter().enumerate() {
             let path = field.path.item(i);
+            let name = format!("{} {i}", field.label);
             ui.indent(path.to_string(), |ui| {
-                self.show(ui, item);
-                if items.len() > 2 && ui.small_button("remove").clicked() {
+                widgets::group(ui, &name, |ui| self.show(ui, item));
+                let removes = items.len() > 2
+                    && ui.small_button("remove").accessible_name(format!("remove {name}")).clicked();
+                if removes {
                     self.edits.push(Edit::Remove { path });
                 }
             });
@@ -180,7 +189,7 @@ impl Fields<'_> {
 
 fn indented(ui: &mut Ui, field: &Field, fields: impl FnOnce(&mut Ui)) {
     if !field.fields().is_empty() {
-        ui.indent(field.path.to_string(), fields);
+        ui.indent(field.path.to_string(), |ui| widgets::group(ui, &field.label, fields));
     }
 }
 

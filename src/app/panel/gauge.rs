@@ -75,18 +75,18 @@ impl Panel {
         if Measure::named(&compiled.scene, name).is_none() {
             *name = PATTERN.into();
         }
-        ComboBox::from_id_salt("number").width(120.0).height(480.0).selected_text(name.clone()).show_ui(
-            ui,
-            |ui| {
-                let declared = compiled.scene.textures.iter().map(|texture| texture.name.as_str());
-                for known in Measure::ALL.iter().map(|(known, _)| *known).chain(declared) {
-                    ui.selectable_value(name, known.to_owned(), known);
-                }
-            },
-        );
+        let menu = ComboBox::from_id_salt("number").width(120.0).height(480.0);
+        let shown = menu.selected_text(name.clone()).show_ui(ui, |ui| {
+            let declared = compiled.scene.textures.iter().map(|texture| texture.name.as_str());
+            for known in Measure::ALL.iter().map(|(known, _)| *known).chain(declared) {
+                ui.selectable_value(name, known.to_owned(), known);
+            }
+        });
+        shown.response.accessible_name("number to show");
         let speed = 0.02 * *reach;
         let number = DragValue::new(reach).range(1e-4..=1e5).speed(speed).max_decimals(4).prefix("to ");
-        ui.add(number).on_hover_text("the number at which the colors end");
+        let help = "the number at which the colors end";
+        ui.add(number).on_hover_text(help).accessible_name(help);
     }
 }
 

@@ -6,7 +6,7 @@ use egui::{RichText, Ui};
 
 use super::fields::Fields;
 use super::tree::Tree;
-use super::{Deeds, Panel, picking};
+use super::{Deeds, Panel, picking, widgets};
 use crate::edit::Edit;
 use crate::library::Library;
 use crate::outline::{self, Node, NodeKind, Role};
@@ -20,7 +20,7 @@ impl Panel {
         let example = move |role: Role, name: &str| example(&scene, role, name);
         let search =
             egui::TextEdit::singleline(&mut self.wanted).hint_text("find").desired_width(f32::INFINITY);
-        ui.add(search);
+        ui.add(search).accessible_name("find in the scene");
         let height = ui.available_height();
         egui::ScrollArea::vertical()
             .id_salt("tree")
@@ -57,7 +57,7 @@ impl Panel {
         ui.add_space(4.0);
         let texture = |name: &str| example(Role::Texture, name);
         let mut fields = Fields { edits: &mut deeds.edits, pending: &self.pending, example: &texture };
-        fields.show(ui, &node.fields);
+        widgets::group(ui, &node.label, |ui| fields.show(ui, &node.fields));
         if node.kind == NodeKind::Camera {
             self.bookmarks(ui);
         }
@@ -66,15 +66,18 @@ impl Panel {
     /// What kind of thing it is, which can be another one.
     fn rename(&self, ui: &mut Ui, node: &Node, deeds: &mut Deeds) {
         let shown = node.name.as_deref().unwrap_or_default();
-        egui::ComboBox::from_id_salt("kind").selected_text(shown).show_ui(ui, |ui| {
+        let menu = egui::ComboBox::from_id_salt("kind").selected_text(shown);
+        let shown = menu.show_ui(ui, |ui| {
             for name in node.names.iter() {
                 if ui.selectable_label(name == shown, name).clicked() && name != shown {
-                    let keep = node.fields.iter().map(|field| field.label.clone()).collect();
+                    let role = if node.kind == NodeKind::Light { Role::Light } else { Role::Solid };
+                    let keep = with_library(&self.scene, |library| outline::fields_of(role, name, library));
                     let (path, name) = (node.path.clone(), name.clone());
                     deeds.edits.push(Edit::Rename { path, name, keep });
                 }
             }
         });
+        shown.response.accessible_name("kind");
     }
 
     /// What was changed here and in the file, for the author to choose.
@@ -106,8 +109,13 @@ impl Panel {
 
 /// RON text of a `name` with no more than it must be given.
 fn example(scene: &Path, role: Role, name: &str) -> String {
+    let known = with_library(scene, |library| outline::example(role, name, library));
+    known.unwrap_or_else(|| format!("{name}()"))
+}
+
+/// Asks for what `scene` can name.
+fn with_library<T>(scene: &Path, ask: impl FnOnce(&Library<'_>) -> T) -> T {
     let here = std::env::current_dir().unwrap_or_else(|_| Path::new(".").into());
     let sources = Sources::on_disk(&here);
-    let library = Library::new(&sources, scene.parent().unwrap_or(Path::new("")));
-    outline::example(role, name, &library).unwrap_or_else(|| format!("{name}()"))
+    ask(&Library::new(&sources, scene.parent().unwrap_or(Path::new(""))))
 }

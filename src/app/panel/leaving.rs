@@ -21,6 +21,7 @@ enum Answer {
     Stay,
 }
 
+const QUESTION: &str = "Write your changes?";
 /// Points.
 const WIDTH: f32 = 380.0;
 
@@ -70,7 +71,7 @@ impl Panel {
     /// What is to become of the changes, once the author has said it.
     fn ask(&self, ui: &Ui) -> Option<Answer> {
         let id = Id::unique("leaving");
-        let area = Modal::default_area(id).fade_in(false);
+        let area = Modal::default_area(id).fade_in(false).accessible_name(QUESTION);
         let modal = Modal::new(id).area(area).backdrop_color(Color32::from_black_alpha(70));
         let shown = modal.frame(Frame::popup(ui.style()).inner_margin(20.0)).show(ui.ctx(), |ui| {
             ui.set_width(WIDTH);
@@ -85,7 +86,7 @@ impl Panel {
             true => "were only tried, and its file does not have them",
             false => "are not in its file yet",
         };
-        ui.label(RichText::new("Write your changes?").strong().size(15.0));
+        ui.label(RichText::new(QUESTION).strong().size(15.0));
         ui.add_space(4.0);
         ui.label(format!("Those in {file} {why}."));
         if let Some(failure) = &self.document.failure {

@@ -22,6 +22,8 @@ pub fn show(ui: &mut Ui, area: egui::Rect, report: &Report, text: &str) -> Optio
         .corner_radius(6);
     let mut wanted = None;
     egui::Area::new(egui::Id::unique("mistakes"))
+        .accessible_name("mistakes")
+        .role(egui::accesskit::Role::Alert)
         .fixed_pos(area.left_bottom() + egui::vec2(12.0, -12.0))
         .pivot(egui::Align2::LEFT_BOTTOM)
         .show(ui.ctx(), |ui| {

@@ -2,8 +2,10 @@
 
 use std::path::PathBuf;
 
+use egui::accesskit::Role;
 use egui::{
     Align, Align2, Color32, Key, Layout, Modal, Modifiers, RichText, ScrollArea, Sense, TextEdit, Ui,
+    WidgetInfo,
 };
 
 use super::commands::keys_of;
@@ -60,7 +62,8 @@ impl Panel {
         let Some(mut query) = self.palette.0.take() else { return };
         let lines = self.lines(ui);
         let id = egui::Id::unique("palette");
-        let area = Modal::default_area(id).fade_in(false).anchor(Align2::CENTER_TOP, egui::vec2(0.0, 64.0));
+        let area = Modal::default_area(id).fade_in(false).accessible_name("command palette");
+        let area = area.anchor(Align2::CENTER_TOP, egui::vec2(0.0, 64.0));
         let modal = Modal::new(id).area(area).backdrop_color(Color32::from_black_alpha(70));
         let shown = modal.show(ui.ctx(), |ui| query.show(ui, lines));
         match shown.inner.clone() {
@@ -116,7 +119,7 @@ impl Query {
         // Before it is laid out, or it would miss what a quick hand types in its first frame.
         let id = egui::Id::unique("palette text");
         ui.memory_mut(|memory| memory.request_focus(id));
-        let field = ui.add(field.frame(frame).id(id));
+        let field = ui.add(field.frame(frame).id(id)).accessible_name("find a command");
         let runs = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         if field.changed() {
             self.marked = 0;
@@ -152,6 +155,7 @@ impl Line {
     fn show(&self, ui: &mut Ui, is_marked: bool) -> egui::Response {
         let size = egui::vec2(ui.available_width(), LINE);
         let (area, response) = ui.allocate_exact_size(size, Sense::click());
+        response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_marked, &self.name));
         if is_marked {
             ui.painter().rect_filled(area, 5.0, ui.visuals().selection.bg_fill);
         }

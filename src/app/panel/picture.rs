@@ -1,6 +1,7 @@
 //! The picture's place: the camera under the mouse, and what is said over the picture.
 
-use egui::{Color32, PointerButton, Sense, TextureId, Ui};
+use egui::accesskit::Role;
+use egui::{Color32, PointerButton, Sense, TextureId, Ui, WidgetInfo};
 use glam::Vec2;
 
 use super::{Panel, mistakes};
@@ -10,6 +11,7 @@ use crate::app::messages::Look;
 impl Panel {
     pub(super) fn picture(&mut self, ui: &mut Ui, picture: Option<TextureId>) -> Look {
         let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "picture"));
         if picture.is_none() && self.report.is_none() {
             let font = egui::FontId::proportional(16.0);
             ui.painter().text(area.center(), egui::Align2::CENTER_CENTER, "compiling…", font, Color32::GRAY);

@@ -20,7 +20,7 @@ impl Panel {
 
     pub(super) fn scene_menu(&mut self, ui: &mut Ui) {
         let mut chosen = None;
-        egui::ComboBox::from_id_salt("scene")
+        let shown = egui::ComboBox::from_id_salt("scene")
             .width(150.0)
             .height(480.0)
             .selected_text(stem(&self.scene))
@@ -43,6 +43,7 @@ impl Panel {
                     offer(ui, scene, full_name(scene));
                 }
             });
+        shown.response.accessible_name("scene");
         if let Some(scene) = chosen {
             self.leave(Leaving::Open(scene));
         }

@@ -17,7 +17,7 @@ impl Panel {
             return;
         }
         let id = Id::unique("sheet");
-        let area = Modal::default_area(id).fade_in(false);
+        let area = Modal::default_area(id).fade_in(false).accessible_name("cheat sheet");
         let modal = Modal::new(id).area(area).backdrop_color(Color32::from_black_alpha(70));
         let frame = Frame::popup(ui.style()).inner_margin(20.0);
         let shown = modal.frame(frame).show(ui.ctx(), |ui| {

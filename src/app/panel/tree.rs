@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use egui::{Align, Color32, Layout, Rect, RichText, Sense, Ui, Vec2};
+use egui::accesskit::Role as WidgetRole;
+use egui::{Align, Color32, Layout, Rect, RichText, Sense, Ui, Vec2, WidgetInfo};
 
 use crate::edit::Edit;
 use crate::outline::{Node, NodeKind, Outline, Role};
@@ -66,6 +67,14 @@ impl Tree<'_> {
         let size = Vec2::new(ui.available_width(), 20.0);
         let (area, response) = ui.allocate_exact_size(size, Sense::click());
         let is_selected = self.selected.as_ref() == Some(&node.path);
+        response.widget_info(|| WidgetInfo::labeled(WidgetRole::TreeItem, true, &node.label));
+        ui.ctx().accesskit_node_builder(response.id, |line| {
+            line.set_level(depth + 1);
+            line.set_selected(is_selected);
+            if !node.nodes.is_empty() {
+                line.set_expanded(is_open);
+            }
+        });
         let visuals = ui.visuals();
         if is_selected || response.hovered() {
             let fill = if is_selected { visuals.selection.bg_fill } else { visuals.faint_bg_color };
@@ -84,7 +93,9 @@ impl Tree<'_> {
             ui.add_space(14.0);
         } else {
             let (area, response) = ui.allocate_exact_size(Vec2::splat(14.0), Sense::click());
-            let openness = if is_open { 1.0 } else { 0.0 };
+            let (openness, does) = if is_open { (1.0, "close") } else { (0.0, "open") };
+            let name = format!("{does} {}", node.label);
+            response.widget_info(|| WidgetInfo::labeled(WidgetRole::DisclosureTriangle, true, &name));
             egui::collapsing_header::paint_default_icon(
                 &mut ui,
                 openness,
@@ -137,7 +148,7 @@ impl Tree<'_> {
             // Entries of a map need a name of their own, which the author writes.
             _ => return,
         };
-        ui.menu_button("+", |ui| {
+        let menu = ui.menu_button("+", |ui| {
             egui::ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
                 for name in kinds.iter() {
                     if ui.button(name).clicked() {
@@ -149,9 +160,8 @@ impl Tree<'_> {
                     }
                 }
             });
-        })
-        .response
-        .on_hover_text("one more");
+        });
+        menu.response.on_hover_text("one more").accessible_name(format!("add to {}", node.label));
     }
 }
 

@@ -15,7 +15,7 @@ use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 
 use egui::ColorImage;
 
-pub use self::catalog::{Definition, Item, Subject};
+pub use self::catalog::{Definition, Item, Subject, catalog};
 use self::store::Store;
 use crate::Compiled;
 use crate::gpu::{AdapterChoice, Gpu, GpuError, Moment, Picture, Renderer};

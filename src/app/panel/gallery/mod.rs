@@ -102,7 +102,7 @@ impl Panel {
             }
             let Gallery { items, pictures, wishes, .. } = &mut self.gallery;
             let id = Id::unique("gallery");
-            let area = Modal::default_area(id).fade_in(false);
+            let area = Modal::default_area(id).fade_in(false).accessible_name("gallery");
             let modal = Modal::new(id).area(area).backdrop_color(Color32::from_black_alpha(70));
             let frame = Frame::popup(ui.style()).inner_margin(16.0);
             let room = ui.ctx().content_rect().size() - AROUND;

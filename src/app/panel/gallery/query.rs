@@ -64,7 +64,8 @@ impl Query {
             let field = self.head(ui);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let cross = Button::new(RichText::new("×").size(18.0)).frame(false);
-                if ui.add(cross).on_hover_text("close (Escape)").clicked() {
+                let cross = ui.add(cross).on_hover_text("close (Escape)");
+                if cross.accessible_name("close the gallery").clicked() {
                     deed = Some(Deed::Close);
                 }
             });
@@ -113,6 +114,7 @@ impl Query {
             .corner_radius(5)
             .inner_margin(Margin::symmetric(8, 4));
         let field = ui.add(field.frame(frame).desired_width(width).id(id));
+        let field = field.accessible_name("find in the gallery");
         ui.add_space(6.0);
         ui.selectable_value(&mut self.shelf, None, "All");
         for (shelf, title) in SHELVES {

@@ -2,8 +2,11 @@
 
 use std::sync::Arc;
 
+use egui::accesskit::Role;
 use egui::text::{LayoutJob, TextWrapping};
-use egui::{Color32, FontId, Galley, Image, Rect, Response, Sense, Stroke, TextureOptions, Ui, Vec2};
+use egui::{
+    Color32, FontId, Galley, Image, Rect, Response, Sense, Stroke, TextureOptions, Ui, Vec2, WidgetInfo,
+};
 
 use super::Hung;
 use crate::app::panel::ACCENT;
@@ -19,6 +22,7 @@ const INSIDE: f32 = 6.0;
 pub fn show(ui: &mut Ui, item: &Item, hung: Option<&mut Hung>, width: f32, is_marked: bool) -> Response {
     let picture = Vec2::new(width, width * PICTURE.y / PICTURE.x);
     let (area, response) = ui.allocate_exact_size(picture + Vec2::new(0.0, WORDS), Sense::click());
+    response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_marked, &item.name));
     if !ui.is_rect_visible(area) {
         return response;
     }
@@ -33,6 +37,7 @@ pub fn show(ui: &mut Ui, item: &Item, hung: Option<&mut Hung>, width: f32, is_ma
     let name = line(ui, &item.name, 13.0, strong, room);
     ui.painter().galley(at, name, strong);
     let caption = if failure.is_some() { "has mistakes" } else { &item.caption };
+    ui.ctx().accesskit_node_builder(response.id, |tile| tile.set_description(caption));
     let color = if failure.is_some() { ui.visuals().error_fg_color } else { weak };
     let caption = line(ui, caption, 11.0, color, room);
     ui.painter().galley(at + Vec2::new(0.0, 18.0), caption, color);

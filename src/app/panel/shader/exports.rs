@@ -126,9 +126,11 @@ impl Panel {
                     ui.label(offer.name);
                     let is_text = offer.language != Some(Language::Spirv);
                     let copy = ui.add_enabled(is_text, Button::new("Copy"));
+                    let copy = copy.accessible_name(format!("copy {}", offer.name));
                     let copies = copy.on_disabled_hover_text("it is no text to paste").clicked();
                     let file = format!("{stem}.{}", offer.ending);
-                    let saves = ui.button("Save").on_hover_text(format!("to {file}")).clicked();
+                    let save = ui.button("Save").accessible_name(format!("save {}", offer.name));
+                    let saves = save.on_hover_text(format!("to {file}")).clicked();
                     let place = if saves { Place::File(file.into()) } else { Place::Clipboard };
                     if saves || copies {
                         chosen = Some((offer.language, place));
