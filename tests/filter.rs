@@ -14,39 +14,47 @@ use raytoy::wgsl::Mode;
 /// A call in black and white, how many scene units a cell of it has, and the most that the filter may be off,
 /// as a mean over many places: measured, and rounded up. How pieces differ in brightness is left out: that is
 /// no edge.
-const PATTERNS: [(&str, f32, f64); 28] = [
+const PATTERNS: [(&str, f32, f64); 36] = [
     ("Checker(even: 1, odd: 0)", 1.0, 0.005),
     ("Stripes(even: 1, odd: 0)", 1.0, 0.005),
     ("Brick(variation: 0, clay: 1, joint: 0)", 0.25, 0.005),
     ("Grid(color: 1, ground: 0)", 0.5, 0.005),
     ("Herringbone(variation: 0, wood: 1, joint: 0)", 0.3333, 0.005),
     ("Dots(color: 1, ground: 0)", 0.5, 0.01),
-    ("Cairo(variation: 0, stone: 1, joint: 0)", 0.5, 0.02),
-    ("Rings(even: 1, odd: 0)", 0.4, 0.025),
-    ("Spiral(even: 1, odd: 0)", 0.6, 0.02),
-    ("Pavement(octagon: 1, square: 0, joint: 0.5)", 0.5, 0.015),
-    ("Plaid(ground: 1, check: 0, stripe: 0.5, line: 0)", 1.0, 0.015),
+    ("Cairo(variation: 0, stone: 1, joint: 0)", 0.5, 0.01),
+    ("Rings(even: 1, odd: 0)", 0.4, 0.01),
+    ("Spiral(even: 1, odd: 0)", 0.6, 0.01),
+    ("Pavement(octagon: 1, square: 0, joint: 0.5)", 0.5, 0.01),
+    ("Plaid(ground: 1, check: 0, stripe: 0.5, line: 0)", 1.0, 0.01),
     ("Hexagon(first: 1, second: 0.5, third: 0, joint: 0.5)", 0.5, 0.02),
     ("Weave(warp: 1, weft: 0.5, ground: 0)", 0.3333, 0.02),
-    ("Scales(variation: 0, tip: 1, base: 0.5, rim: 0)", 0.3333, 0.025),
+    ("Scales(variation: 0, tip: 1, base: 0.5, rim: 0)", 0.3333, 0.015),
     ("Triangles(even: 1, odd: 0, joint: 0.5)", 0.6667, 0.01),
     ("Truchet(line: 0.5, even: 1, odd: 0)", 0.5, 0.02),
-    ("Terrazzo(variation: 0, ground: 0, first: 1, second: 1, third: 1)", 0.3333, 0.025),
+    ("Terrazzo(variation: 0, ground: 0, first: 1, second: 1, third: 1)", 0.3333, 0.02),
     ("Crackle(variation: 0, plate: 1, crack: 0)", 0.55, 0.02),
     ("Crackle(variation: 0, plate: 1, crack: 0, jitter: 0.5)", 0.55, 0.02),
-    ("Crackle(variation: 0, plate: 1, crack: 0, width: 0.2)", 0.55, 0.025),
+    ("Crackle(variation: 0, plate: 1, crack: 0, width: 0.2)", 0.55, 0.02),
+    ("Crackle(variation: 0, plate: 1, crack: 0, width: 0.2, jitter: 0)", 0.55, 0.02),
+    ("Crackle(variation: 0, plate: 1, crack: 0, width: 0.5)", 0.55, 0.02),
     ("Cells(first: 1, second: 0)", 0.4, 0.02),
     ("Voronoi(feature: f1)", 0.5, 0.02),
+    ("Voronoi(feature: f1, jitter: 0)", 0.5, 0.005),
     ("Voronoi(feature: f2)", 0.5, 0.02),
     ("Voronoi(feature: difference)", 0.5, 0.02),
+    ("Voronoi(feature: difference, metric: manhattan, jitter: 0.5)", 0.5, 0.02),
+    ("Voronoi(feature: difference, metric: chebyshev, jitter: 0.5)", 0.5, 0.02),
     ("Voronoi(feature: edge)", 0.5, 0.02),
-    ("Voronoi(feature: cell)", 0.5, 0.02),
-    ("Voronoi(feature: cell, metric: manhattan)", 0.5, 0.025),
+    ("Voronoi(feature: edge, jitter: 0)", 0.5, 0.01),
+    ("Voronoi(feature: edge, jitter: 0.4)", 0.5, 0.02),
     ("Voronoi(feature: edge, metric: chebyshev)", 0.5, 0.02),
+    ("Voronoi(feature: cell)", 0.5, 0.02),
+    ("Voronoi(feature: cell, metric: manhattan)", 0.5, 0.02),
+    ("Voronoi(feature: cell, metric: chebyshev)", 0.5, 0.02),
 ];
 
 /// Footprints, in cells.
-const WIDTHS: [f32; 7] = [1.0 / 16.0, 0.25, 0.5, 1.0, 1.5, 2.0, 4.0];
+const WIDTHS: [f32; 8] = [1.0 / 16.0, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0];
 const CENTERS: usize = 256;
 /// Hard values in each footprint.
 const SAMPLES: u32 = 1024;
@@ -78,9 +86,12 @@ fn check(gpu: &Gpu, world: &World, call: &str, cell: f32, most: f64) -> Vec<Stri
         let centers: Vec<Vec3> =
             (0..CENTERS).map(|_| 16.0 * cell * random.vector() * Vec3::new(1.0, 0.0, 1.0)).collect();
         let filtered = value(&centers.iter().map(|p| on_floor(*p, width * cell)).collect::<Vec<_>>());
-        // Hammersley's points: where some share a row, a line along it counts too much or too little.
-        let place =
-            |i: u32| Vec2::new(i as f32 + 0.5, (i.reverse_bits() >> 22) as f32 + 0.5) / SAMPLES as f32;
+        // Roberts's R2 points (The Unreasonable Effectiveness of Quasirandom Sequences, 2018): no two share a row,
+        // and they do not keep step with the cells, as points in steps of powers of two do.
+        let place = |i: u32| {
+            let along = |step: f64| ((f64::from(i) + 0.5) * step).fract() as f32;
+            Vec2::new(along(0.754_877_666_246_692_7), along(0.569_840_290_998_053_2))
+        };
         let inside = |p: Vec3| {
             let offset = move |i| width * cell * (place(i) - 0.5);
             (0..SAMPLES).map(move |i| on_floor(p + Vec3::new(offset(i).x, 0.0, offset(i).y), 0.0))

@@ -7,11 +7,11 @@
 fn cells(at: Surface, scale: f32, jitter: f32, first: vec3f, second: vec3f) -> vec3f {
     let pixel = max(at.footprint * scale, 1e-6);
     // A wide pixel holds more stones than are worth asking.
-    let seen = 1.0 - smoothstep(3.0, 10.0, pixel);
+    let seen = 1.0 - smoothstep(3.6, 12.0, pixel);
     var share = 0.5;
     if seen > 0.0 {
         let sides = flatTangents(at.normal);
-        let n = select(1u, 2u, pixel > 0.7);
+        let n = 1u + select(0u, 1u, pixel > 0.45) + select(0u, 1u, pixel > 2.0);
         let part = pixel / f32(n);
         var sum = 0.0;
         for (var i = 0u; i < n * n; i++) {

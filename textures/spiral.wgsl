@@ -6,18 +6,22 @@
 /// even = "#e9dfca": color of the bands that start towards +x
 /// odd = "#2f5f66": color of the bands between
 fn spiral(at: Surface, scale: f32, arms: u32, duty: f32, even: vec3f, odd: vec3f) -> vec3f {
-    let p = at.position.xz;
-    let away = max(length(p), 1e-9);
-    // The angle of no direction is whatever the driver likes.
-    let q = select(p, vec2f(1.0, 0.0), away < 1e-8);
+    let p = at.position.xz * scale;
+    let width = at.footprint * scale;
     let turns = f32(arms) / 6.2831853;
-    let phase = scale * away - turns * atan2(q.y, q.x);
-    // Towards the axis the bands narrow without end. A square pixel reaches farther across
-    // those that it meets at an angle: one box, at two places for the smaller component.
-    let slope = abs(scale * p - turns * vec2f(-p.y, p.x) / away) / away;
-    let reach = min(slope * at.footprint, vec2f(64.0));
-    let half = min(reach.x, reach.y) * 0.2887;
-    let shares = dutyShare(phase + vec2f(-half, half), vec2f(max(reach.x, reach.y)), duty);
-    let share = 0.5 * (shares.x + shares.y);
+    // Near the axis a wide pixel sees the bands bend.
+    let n = footprintParts(width / max(length(p), 1e-6), 2.0);
+    let part = width / f32(n);
+    var share = 0.0;
+    for (var i = 0u; i < n * n; i++) {
+        let q = p + footprintPart(i, n, width);
+        let away = max(length(q), 1e-9);
+        // The angle of no direction is whatever the driver likes.
+        let known = select(q, vec2f(1.0, 0.0), away < 1e-8);
+        let phase = away - turns * atan2(known.y, known.x);
+        // Towards the axis the bands narrow without end.
+        let slope = abs(q - turns * vec2f(-q.y, q.x) / away) / away;
+        share += dutySquareShare(phase, min(slope * part, vec2f(64.0)), duty) / f32(n * n);
+    }
     return even * share + odd * (1.0 - share);
 }

@@ -25,14 +25,17 @@ fn terrazzo(
         let turned = 0.8 * x - 0.6 * y;
         y = 0.6 * x + 0.8 * y;
         x = turned;
-        // The product of what five cuts leave of a blurred chip sums up to less than the chip, or to more
-        // where the blur hides it: fitted.
-        let coarse = 0.25 * pixel * pixel / (size * size);
-        let gain = (1.0 + 0.868 * coarse) / (1.0 + coarse * (0.43 + 0.06 * coarse));
-        // Chips stay in their cells. Three in a row are seen by a pixel wider than one.
         let sharp = 2.0 / pixel;
-        let far = smoothstep(1.4, 2.2, pixel);
-        let n = select(select(2u, 3u, pixel > 1.0), 0u, far == 1.0);
+        // A pixel that hides the shape of a chip takes it for a square along its own sides.
+        let coarse = pixel / size;
+        let hidden = smoothstep(0.5, 0.9, coarse);
+        let along = vec2f(x.y - x.x, y.y - y.x);
+        let across = vec2f(x.z - x.x, y.z - y.x);
+        // The product of what five cuts leave of a blurred chip sums up to less than the chip: fitted.
+        let gain = (1.0 - hidden) * (1.0 + 0.1 * coarse * coarse);
+        // Chips stay in their cells.
+        let far = smoothstep(1.8, 3.0, pixel);
+        let n = select(2u + u32(min(1.15 * pixel, 2.0)), 0u, far == 1.0);
         let corner = floor(p - 0.5 * f32(n) + 0.5);
         var chips = mat3x4f();
         var share = vec4f(0.0);
@@ -44,15 +47,29 @@ fn terrazzo(
             // A chip, mirrored at random, is what five straight cuts leave.
             let side = sign(tenBits(word, 20u).xy);
             let q = (p - cell - 0.5 - 0.14 * chance.xy) * side;
-            let depths = 0.5 + (cut - vec4f(0.309017 * q.x + vec2f(0.951057, -0.951057) * q.y,
-                -0.809017 * q.x + vec2f(0.587785, -0.587785) * q.y)) * sharp;
-            let u = side.x * x;
-            let v = side.y * y;
-            let seen = gain * saturate(0.5 + (0.3 * size - q.x) * sharp - u)
-                * saturate(depths.x - 0.309017 * u - 0.951057 * v)
-                * saturate(depths.y - 0.309017 * u + 0.951057 * v)
-                * saturate(depths.z + 0.809017 * u - 0.587785 * v)
-                * saturate(depths.w + 0.809017 * u + 0.587785 * v);
+            var seen = vec4f(0.0);
+            if hidden < 1.0 {
+                let depths = 0.5 + (cut - vec4f(0.309017 * q.x + vec2f(0.951057, -0.951057) * q.y,
+                    -0.809017 * q.x + vec2f(0.587785, -0.587785) * q.y)) * sharp;
+                let u = side.x * x;
+                let v = side.y * y;
+                seen = gain * saturate(0.5 + (0.3 * size - q.x) * sharp - u)
+                    * saturate(depths.x - 0.309017 * u - 0.951057 * v)
+                    * saturate(depths.y - 0.309017 * u + 0.951057 * v)
+                    * saturate(depths.z + 0.809017 * u - 0.587785 * v)
+                    * saturate(depths.w + 0.809017 * u + 0.587785 * v);
+            }
+            if hidden > 0.0 {
+                // The five cuts lie around this middle; the square is as large as what they leave.
+                let leaning = vec4f(0.309017, 0.309017, -0.809017, -0.809017);
+                let middle = 0.4 * vec2f(0.3 * size + dot(cut, leaning),
+                    dot(cut, vec4f(0.951057, -0.951057, 0.587785, -0.587785)));
+                let reach = 0.189 * (0.3 * size + dot(cut, vec4f(1.0))) * sharp;
+                let away = (middle - q) * side * sharp;
+                let columns = terrazzoHalves(dot(away, along), reach);
+                let rows = terrazzoHalves(dot(away, across), reach);
+                seen += hidden * columns.xyxy * rows.xxyy;
+            }
             let pick = select(select(first, second, chance.z > -0.333), third, chance.z > 0.333);
             let tone = min(pick * (1.0 + variation * chance.w), vec3f(1.0));
             chips += mat3x4f(tone.r * seen, tone.g * seen, tone.b * seen);
@@ -70,4 +87,11 @@ fn terrazzo(
         pixel /= 1.8;
     }
     return vec4f(0.25) * color;
+}
+
+/// How much of -1 to 0 and of 0 to 1 lies within `reach` of `middle`.
+fn terrazzoHalves(middle: f32, reach: f32) -> vec2f {
+    let low = max(vec2f(middle - reach), vec2f(-1.0, 0.0));
+    let high = min(vec2f(middle + reach), vec2f(0.0, 1.0));
+    return max(high - low, vec2f(0.0));
 }
