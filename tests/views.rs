@@ -148,6 +148,25 @@ fn two_views_are_beside_each_other_and_a_hand_moves_the_divider() {
     wait(&desk, RIGHT, normal(RIGHT));
 }
 
+#[test]
+fn a_view_is_there_over_and_right_after_an_edit_of_the_structure() {
+    let Some((_home, file, desk)) = opened(SCENE) else { return };
+    let save = |text: &str| fs::write(&file, text).expect("the folder is writable");
+    let walled = SCENE.replace("objects: [", "objects: [Box(min: (-9, -9, -3), max: (9, 9, -2)), ");
+    let wall = [40, 600];
+    desk.press(&[], b'v'.into());
+    wait(&desk, LEFT, normal(LEFT));
+    save(&walled);
+    wait(&desk, wall, [128, 128, 255]);
+    desk.press(&[SHIFT], b'v'.into());
+    wait(&desk, LEFT, RED);
+    // The shader of this edit has no view when the key is pressed.
+    save(SCENE);
+    desk.press(&[], b'v'.into());
+    wait(&desk, LEFT, normal(LEFT));
+    wait(&desk, wall, BLACK);
+}
+
 /// Moves it from column to column. A slow machine hears many things at once: each step waits for the last.
 fn drag_divider(desk: &Desk, from: i16, to: i16) {
     desk.point([from, 250]);

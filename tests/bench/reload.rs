@@ -1,5 +1,5 @@
 //! How long an edit takes from the save to the screen, with the software driver and without its shader cache:
-//! `cargo test --test reload_bench`.
+//! `cargo test --test reload_bench -- [SCENE…]`, all of them unless told.
 #![cfg(target_os = "linux")]
 
 #[path = "../common/xserver.rs"]
@@ -14,15 +14,19 @@ const ROUNDS: usize = 20;
 fn main() {
     // The driver of the window inherits it. Nothing else runs in this program yet.
     unsafe { std::env::set_var("MESA_SHADER_CACHE_DISABLE", "true") };
-    for (name, text) in [
+    let wanted: Vec<String> = std::env::args().skip(1).collect();
+    let scenes = [
         ("two_suns", include_str!("../../scenes/two_suns.ron")),
         ("table", include_str!("../../scenes/table.ron")),
         ("mirror_room", include_str!("../../scenes/mirror_room.ron")),
         ("textures", include_str!("../../scenes/textures.ron")),
         ("shapes", include_str!("../../scenes/shapes.ron")),
         ("glass", include_str!("../../scenes/glass.ron")),
-    ] {
-        measure(name, text);
+    ];
+    for (name, text) in scenes {
+        if wanted.is_empty() || wanted.iter().any(|scene| scene == name) {
+            measure(name, text);
+        }
     }
 }
 
