@@ -92,10 +92,15 @@ pub(super) fn checked<T: Send>(gpu: &Gpu, make: impl FnOnce() -> T + Send) -> Re
 
 pub(super) fn shader_module(gpu: &Gpu, compiled: &Compiled) -> wgpu::ShaderModule {
     gpu.count_pipeline();
-    gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+    let descriptor = wgpu::ShaderModuleDescriptor {
         label: Some(&compiled.scene.name),
         source: wgpu::ShaderSource::Naga(Cow::Owned(compiled.module.naga().clone())),
-    })
+    };
+    // wgpu would count the steps of every loop, which costs drivers a sixth of their compile.
+    let checks =
+        wgpu::ShaderRuntimeChecks { force_loop_bounding: false, ..wgpu::ShaderRuntimeChecks::checked() };
+    // SAFETY: no loop is endless. `module::guard` ends an author's, and those that ship are bounded.
+    unsafe { gpu.device.create_shader_module_trusted(descriptor, checks) }
 }
 
 /// The buffer of a live scene's numbers, filled; none where they are literals.

@@ -107,7 +107,11 @@ impl Tree<'_> {
         }
         dot(&mut ui, color(node.kind));
         let label = RichText::new(&node.label);
-        let label = if node.span.is_some() { label } else { label.weak() };
+        let label = match node.span {
+            _ if is_selected => label.strong(),
+            Some(_) => label,
+            None => label.weak(),
+        };
         ui.add(egui::Label::new(label).truncate().selectable(false));
         if let Some(name) = node.name.as_ref().filter(|name| !node.label.starts_with(name.as_str())) {
             ui.add(egui::Label::new(RichText::new(name).weak().small()).truncate().selectable(false));
