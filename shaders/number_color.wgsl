@@ -1,7 +1,6 @@
 // Numbers as colors.
 
-// Blue below 0, white at 0, red above.
-
+/// What `signedColor` ends in.
 const BELOW: vec3f = vec3f(0.08, 0.28, 0.72);
 const ABOVE: vec3f = vec3f(0.75, 0.12, 0.1);
 

@@ -41,7 +41,12 @@ impl Drawable {
     /// The baked pipeline until a number is edited, then the full one; for debug views one that has them, if
     /// it is there already.
     pub fn pipeline(&self, for_views: bool) -> Option<&Pipeline> {
-        self.baked.as_ref().filter(|baked| baked.has_views || !for_views).or(self.full.as_deref())
+        self.baked_for(for_views).or(self.full.as_deref())
+    }
+
+    /// The baked pipeline, if it shows what is looked at.
+    pub fn baked_for(&self, views: bool) -> Option<&Pipeline> {
+        self.baked.as_ref().filter(|baked| baked.has_views || !views)
     }
 
     /// The pipelines get this version's numbers, unless they have them written out.

@@ -127,11 +127,11 @@ impl Open {
         self.engine.input.handle_platform_output(&self.window, std::mem::take(&mut output.platform_output));
         let place = self.look.map_or(([0; 2], 1), |look| (look.corner, look.size[0]));
         let Engine { screen, context, .. } = &mut self.engine;
-        // egui's renderer panics where the device is lost, which is about to be told.
+        // Where the device is lost, which is about to be told, egui's renderer panics.
         if screen.gpu.is_lost() {
             return false;
         }
-        // It may also be lost meanwhile.
+        // It may be lost meanwhile, too.
         catch_unwind(AssertUnwindSafe(|| screen.present(place, context, output, &self.window)))
             .unwrap_or(false)
     }

@@ -96,7 +96,8 @@ pub(super) fn shader_module(gpu: &Gpu, compiled: &Compiled) -> wgpu::ShaderModul
         label: Some(&compiled.scene.name),
         source: wgpu::ShaderSource::Naga(Cow::Owned(compiled.module.naga().clone())),
     };
-    // wgpu would count the steps of every loop, which costs drivers a sixth of their compile.
+    // wgpu would count the steps of every loop: a sixth of the compile on Mesa's software driver, and up to a
+    // third of a frame on a GPU.
     let checks =
         wgpu::ShaderRuntimeChecks { force_loop_bounding: false, ..wgpu::ShaderRuntimeChecks::checked() };
     // SAFETY: no loop is endless. `module::guard` ends an author's, and those that ship are bounded.

@@ -160,7 +160,7 @@ impl Painter {
     fn needs_warming(&self) -> bool {
         let Some(scene) = &self.scene else { return false };
         let is_settled = scene.is_shown && (self.coarseness == 1 || self.is_moving());
-        let has_other = scene.baked.as_ref().is_some_and(|baked| baked.has_views || !self.look.has_views());
+        let has_other = scene.baked_for(self.look.has_views()).is_some();
         let is_cold = scene.full.is_some() && !scene.is_warm;
         is_cold && self.pixels_done == 0 && (is_settled || !has_other)
     }
