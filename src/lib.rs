@@ -32,6 +32,7 @@ pub mod library;
 pub mod module;
 pub mod outline;
 pub mod scene;
+pub mod sketch;
 pub mod sources;
 mod stage;
 pub mod suite;

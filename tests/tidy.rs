@@ -7,7 +7,7 @@ use raytoy::library::{Family, Library};
 use raytoy::sources::Sources;
 
 /// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
-const IMPORTS: [(&str, &[&str]); 22] = [
+const IMPORTS: [(&str, &[&str]); 23] = [
     ("diagnostic", &[]),
     ("sources", &["diagnostic"]),
     ("scene", &["diagnostic"]),
@@ -23,6 +23,7 @@ const IMPORTS: [(&str, &[&str]); 22] = [
     ("capture", &["gpu", "Compiled"]),
     ("stage", &["diagnostic", "sources", "Compiled", "compile"]),
     ("watch", &["sources"]),
+    ("sketch", &["gpu", "ir", "library", "Compiled"]),
     ("judge", &[]),
     ("difference", &["gpu", "judge", "scene", "wgsl", "Compiled", "on_deep_stack"]),
     ("laws", &["diagnostic", "gpu", "library", "sources", "wgsl", "Compiled", "compile"]),
@@ -55,6 +56,7 @@ const IMPORTS: [(&str, &[&str]); 22] = [
             "library",
             "outline",
             "scene",
+            "sketch",
             "sources",
             "watch",
             "wgsl",

@@ -34,6 +34,6 @@ pub use pipeline::Pipeline;
 pub use probe::{Crossing, Look, Probe, Ray, SurfacePoint};
 pub use region::Region;
 pub use split::Split;
-pub use texels::{SAMPLER_BINDING, Texels, texels};
+pub use texels::{MODELS_BINDING, MODELS_ROW, SAMPLER_BINDING, Texels, texels};
 pub use tracer::Tracer;
 pub use uniforms::{Frame, Moment, View, sample_offset};

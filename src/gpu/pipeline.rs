@@ -163,7 +163,7 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
         ["coverPicture", "tracePixel"],
         FORMAT,
     );
-    let casters = compiled.scene.bodies.iter().filter(|body| body.casts_shadow).count() as u32;
+    let casters = compiled.scene.casters();
     let has_views = compiled.source.has_views();
     Pipeline { pipeline, layout, numbers, assets, guard, casters, has_views }
 }

@@ -15,8 +15,8 @@ pub const SAMPLER_BINDING: u32 = 0;
 
 /// As shaders/model.wgsl says.
 const MODELS: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
-const MODELS_BINDING: u32 = 15;
-pub(super) const MODELS_ROW: u32 = 2048;
+pub const MODELS_BINDING: u32 = 15;
+pub const MODELS_ROW: u32 = 2048;
 
 /// What one texture of bind group 1 holds.
 #[derive(Clone, Debug)]

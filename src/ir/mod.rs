@@ -268,6 +268,11 @@ impl Scene {
         self.images == other.images && self.models == other.models
     }
 
+    /// How many bodies cast shadows.
+    pub fn casters(&self) -> u32 {
+        self.bodies.iter().filter(|body| body.casts_shadow).count() as u32
+    }
+
     /// Whether any material lets light through.
     pub fn transmits(&self) -> bool {
         let properties = self.materials.iter().flat_map(|m| &m.properties);

@@ -20,7 +20,7 @@ use std::sync::{Arc, Mutex};
 
 pub use color::parse_color;
 pub use function::{Function, Kind, Parameter, Traits, name_of};
-pub use image::Image;
+pub use image::{Image, Level};
 pub use model::{Corner, Model};
 pub use value::{Const, Type};
 

@@ -7,7 +7,7 @@ mod guard;
 use std::ops::Range;
 use std::sync::Arc;
 
-use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
 use crate::diagnostic::{Diagnostic, Place, Report};
 use crate::wgsl::Source;
@@ -16,12 +16,18 @@ use crate::wgsl::Source;
 #[derive(Clone, Debug)]
 pub struct Module {
     naga: Arc<naga::Module>,
+    info: Arc<ModuleInfo>,
     loops: Arc<[Report]>,
 }
 
 impl Module {
     pub fn naga(&self) -> &naga::Module {
         &self.naga
+    }
+
+    /// The types of its expressions.
+    pub fn info(&self) -> &ModuleInfo {
+        &self.info
     }
 
     /// What to tell of each loop that shaders/guard.wgsl may have to end, in the order of its numbers.
@@ -48,7 +54,7 @@ pub fn validate(source: &Source) -> Result<Module, Diagnostic> {
     let loops = if source.is_guarded() { guard::lay_into(&mut module, source) } else { vec![] };
     // The same that wgpu grants a shader on a device without optional features.
     let capabilities = Capabilities::default();
-    Validator::new(ValidationFlags::all(), capabilities).validate(&module).map_err(|error| {
+    let info = Validator::new(ValidationFlags::all(), capabilities).validate(&module).map_err(|error| {
         let mut chain: Vec<String> = vec![];
         let mut cause: Option<&dyn std::error::Error> = Some(error.as_inner());
         while let Some(error) = cause {
@@ -66,7 +72,7 @@ pub fn validate(source: &Source) -> Result<Module, Diagnostic> {
         }
         explained(problem)
     })?;
-    Ok(Module { naga: Arc::new(module), loops: loops.into() })
+    Ok(Module { naga: Arc::new(module), info: Arc::new(info), loops: loops.into() })
 }
 
 fn place(source: &Source, range: Range<usize>) -> Place {

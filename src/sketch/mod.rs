@@ -1,0 +1,98 @@
+//! A first, coarse picture of a scene by the processor alone, while a driver is still compiling.
+//!
+//! In: the module that the driver gets, too. Out: the pixels that it would draw. The module becomes a list of
+//! steps, each of which is taken for a square of pixels at once; so no machine code is made, and a picture of
+//! some ten thousand pixels is there in less time than most drivers take to compile.
+
+mod images;
+mod lanes;
+mod lower;
+mod machine;
+mod program;
+
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+use self::images::Image;
+pub use self::lower::Unsupported;
+use self::machine::{Inputs, Machine};
+use self::program::{Program, SIDE};
+use crate::Compiled;
+use crate::gpu::Frame;
+
+/// A prime near 2^32 over the golden ratio: in steps of it, the first squares already are from everywhere.
+const SCATTER: u64 = 2_654_435_761;
+
+/// A scene that the processor can draw.
+#[derive(Clone, Debug)]
+pub struct Sketch {
+    program: Arc<Program>,
+    images: Arc<[Image]>,
+    numbers: Arc<[f32]>,
+    /// Whether it can show debug views.
+    pub has_views: bool,
+}
+
+impl Sketch {
+    /// # Errors
+    /// Where the module has something that only a driver can do; no file that ships with raytoy has.
+    pub fn new(compiled: &Compiled) -> Result<Self, Unsupported> {
+        let (module, info) = (compiled.module.naga(), compiled.module.info());
+        let program = lower::lower(module, info, "tracePixel")?;
+        Ok(Self {
+            program: Arc::new(program),
+            images: images::images(&compiled.scene).into(),
+            numbers: compiled.source.numbers.as_slice().into(),
+            has_views: compiled.source.has_views(),
+        })
+    }
+
+    /// The light and the depth of each pixel, row by row from the top; None where that would take longer than
+    /// `patience`, which is known after a part of that time.
+    pub fn draw(&self, frame: &Frame, patience: Duration) -> Option<Vec<[f32; 4]>> {
+        let [width, height] = frame.resolution.map(|n| n as u32);
+        let [columns, rows] = [width, height].map(|n| n.div_ceil(SIDE as u32));
+        let begun = Instant::now();
+        let inputs = Inputs {
+            frame: bytemuck::cast_slice(std::slice::from_ref(frame)),
+            numbers: bytemuck::cast_slice(&self.numbers),
+            images: &self.images,
+            until: begun + patience,
+        };
+        let squares = columns * rows;
+        let picture = Mutex::new(vec![[0.0; 4]; (width * height) as usize]);
+        let (begins, ended) = (AtomicU32::new(0), AtomicU32::new(0));
+        let draw = || {
+            let mut machine = Machine::new(&self.program, inputs);
+            loop {
+                let number = begins.fetch_add(1, Ordering::Relaxed);
+                if number >= squares {
+                    return true;
+                }
+                let square = (u64::from(number) * SCATTER % u64::from(squares)) as u32;
+                let corner = [square % columns, square / columns].map(|n| n * SIDE as u32);
+                let Ok(pixels) = machine.square(corner) else { return false };
+                let mut picture = picture.lock().expect("no thread panics");
+                for (i, pixel) in pixels.into_iter().enumerate() {
+                    let [x, y] = [corner[0] + (i % SIDE) as u32, corner[1] + (i / SIDE) as u32];
+                    if x < width && y < height {
+                        picture[(y * width + x) as usize] = pixel;
+                    }
+                }
+                drop(picture);
+                let share = f64::from(ended.fetch_add(1, Ordering::Relaxed) + 1) / f64::from(squares);
+                let time = begun.elapsed();
+                if time > patience / 6 && time.as_secs_f64() > patience.as_secs_f64() * share {
+                    return false;
+                }
+            }
+        };
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        let is_whole = std::thread::scope(|scope| {
+            let threads: Vec<_> = (0..threads).map(|_| scope.spawn(draw)).collect();
+            threads.into_iter().all(|thread| thread.join().is_ok_and(|whole| whole))
+        });
+        is_whole.then(|| picture.into_inner().expect("no thread panics"))
+    }
+}
