@@ -120,7 +120,8 @@ fn numbers_make_no_pipeline_and_structure_makes_one() {
         &scene,
         &plain("0.6").replace("Sphere(center: (0, 90, 0))", "Box(min: (0, 90, 0), max: (1, 91, 1))"),
     );
-    desk.wait_for("another shape", |e| e["event"] == "presented" && e["change"] == "structure");
+    let shown = desk.wait_for("another shape", |e| e["event"] == "presented" && e["change"] == "structure");
+    assert_eq!(shown["pipelines"], made, "it shows before there is a pipeline");
     let ready = desk.wait_for_event("ready");
     assert!(ready["pipelines"].as_u64() > made.as_u64(), "another shape is another shader");
     desk.wait_for_color(AT.0, AT.1, [level(0.6); 3]);

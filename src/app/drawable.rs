@@ -5,10 +5,12 @@ use std::sync::Arc;
 use super::events::Change;
 use super::orders::Version;
 use crate::gpu::{Gpu, Pipeline};
+use crate::sketch::Sketch;
 
 /// A scene on the GPU.
 pub struct Drawable {
     pub version: Box<Version>,
+    pub sketch: Option<Sketch>,
     pub baked: Option<Pipeline>,
     /// One for all versions that differ in numbers: it has those of the one drawn last.
     pub full: Option<Arc<Pipeline>>,
@@ -31,11 +33,22 @@ impl Drawable {
         let reads = |what: &str| snippets.clone().any(|s| s.text.contains(what));
         let (moves, reads_mouse) = (reads("frame.time"), reads("frame.mouse"));
         let edit = before.map_or(0, |scene| scene.edit + 1);
-        let baked = version.baked.take();
+        let (sketch, baked) = (version.sketch.take(), version.baked.take());
         let full =
             before.filter(|_| version.change == Change::Numbers).and_then(|before| before.full.clone());
         let is_warm = full.is_some();
-        Self { version, baked, full, is_warm, is_shown: false, is_proven: false, edit, moves, reads_mouse }
+        Self {
+            version,
+            sketch,
+            baked,
+            full,
+            is_warm,
+            is_shown: false,
+            is_proven: false,
+            edit,
+            moves,
+            reads_mouse,
+        }
     }
 
     /// The baked pipeline until a number is edited, then the full one; for debug views one that has them, if
@@ -47,6 +60,12 @@ impl Drawable {
     /// The baked pipeline, if it shows what is looked at.
     pub fn baked_for(&self, views: bool) -> Option<&Pipeline> {
         self.baked.as_ref().filter(|baked| baked.has_views || !views)
+    }
+
+    /// The sketch, while there is no pipeline to show what is looked at.
+    pub fn sketch_for(&self, views: bool) -> Option<&Sketch> {
+        let sketch = self.sketch.as_ref().filter(|sketch| sketch.has_views || !views);
+        sketch.filter(|_| self.pipeline(views).is_none())
     }
 
     /// The pipelines get this version's numbers, unless they have them written out.

@@ -55,7 +55,9 @@ impl Engine {
         notify: impl Fn(Notice) + Clone + Send + Sync + 'static,
     ) -> Result<Self, String> {
         let choice = &options.adapter;
-        let screen = Screen::new(window.clone(), display, choice)?;
+        let frames = notify.clone();
+        let told = move |is_shown| frames(Notice::Frame { is_shown });
+        let screen = Screen::new(window.clone(), display, choice, told)?;
         // A software driver compiles while it draws, so the picture gets a device of its own.
         let shares_device = !screen.gpu.is_software();
         let gpu = match shares_device {

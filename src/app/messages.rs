@@ -75,6 +75,12 @@ pub enum Wish {
 /// Something for the window to show.
 pub enum Notice {
     Picture(Picture),
+    /// What became of the frame that was sent to the screen.
+    Frame {
+        is_shown: bool,
+    },
+    /// A version of which there is no picture before its pipeline.
+    Unsketched(Arc<Compiled>),
     /// What the files say is what is shown; with its warnings.
     Unchanged(Report),
     /// Numbers can be edited without another pipeline; how many were made so far.
@@ -118,6 +124,8 @@ pub struct Picture {
     pub pipelines: u32,
     pub noticed: Instant,
     pub pipeline_time: Duration,
+    /// Whether no GPU has drawn it.
+    pub is_sketch: bool,
     /// Of one sample at the shown resolution.
     pub frame_time: Duration,
     /// Whether the scene reads the clock.

@@ -24,6 +24,7 @@ mod open;
 mod orders;
 mod painter;
 pub mod panel;
+mod presenter;
 mod screen;
 mod settings;
 mod templates;

@@ -12,8 +12,10 @@ use super::events::Event;
 use super::messages::{Look, Picture, Wish};
 use super::orders::Order;
 use super::panel::{CaptureDeed, Leaving, Panel};
+use super::screen::Frame;
 use super::settings::Memory;
 use super::trial::Trial;
+use crate::Compiled;
 
 /// What exists while the window does.
 pub struct Open {
@@ -29,15 +31,26 @@ pub struct Open {
     pub quits: bool,
     pub look: Option<Look>,
     /// A picture that was set and not presented yet.
-    pub fresh: Option<Event>,
-    pub noticed: Option<Instant>,
+    pub fresh: Option<Fresh>,
+    /// The one of the frame that is on its way.
+    pub sent: Option<Fresh>,
+    /// Whether something has changed since that was drawn.
+    pub is_outdated: bool,
     pub last_edit: Option<u64>,
     pub wake: Option<Instant>,
 }
 
+/// What to tell of a picture once it is on the screen.
+pub struct Fresh {
+    pub event: Event,
+    /// When the change was noticed that it shows.
+    pub noticed: Instant,
+    pub compiled: Arc<Compiled>,
+}
+
 impl Open {
     pub fn new(window: Arc<Window>, engine: Engine, restarts: u32, panel: Panel, memory: Memory) -> Self {
-        let (look, fresh, noticed, last_edit, wake) = (None, None, None, None, None);
+        let (look, fresh, sent, last_edit, wake) = (None, None, None, None, None);
         Self {
             window,
             engine,
@@ -49,7 +62,8 @@ impl Open {
             quits: false,
             look,
             fresh,
-            noticed,
+            sent,
+            is_outdated: false,
             last_edit,
             wake,
         }
@@ -61,8 +75,7 @@ impl Open {
         let is_new_edit = self.last_edit != Some(picture.edit);
         self.last_edit = Some(picture.edit);
         self.panel.take(&picture, is_new_edit);
-        self.noticed = Some(picture.noticed);
-        self.fresh = Some(Event::Presented {
+        let event = Event::Presented {
             edit: picture.edit,
             change: picture.change,
             samples: picture.samples,
@@ -70,7 +83,9 @@ impl Open {
             pipelines: picture.pipelines,
             since_change_ms: 0.0,
             blocked_ms: 0.0,
-        });
+        };
+        let (noticed, compiled) = (picture.noticed, picture.compiled.clone());
+        self.fresh = Some(Fresh { event, noticed, compiled });
         self.window.set_title(&format!("{} - raytoy", picture.compiled.scene.name));
         self.engine.screen.set_picture(picture.texels);
     }
@@ -89,8 +104,8 @@ impl Open {
         }
     }
 
-    /// Lays out and presents; whether the screen shows it.
-    pub fn draw(&mut self) -> bool {
+    /// Lays out and presents.
+    pub fn draw(&mut self) -> Frame {
         let input = self.engine.input.take_egui_input(&self.window);
         let picture = self.engine.screen.picture_id();
         let mut reply = None;
@@ -129,10 +144,10 @@ impl Open {
         let Engine { screen, context, .. } = &mut self.engine;
         // Where the device is lost, which is about to be told, egui's renderer panics.
         if screen.gpu.is_lost() {
-            return false;
+            return Frame::Dropped;
         }
         // It may be lost meanwhile, too.
         catch_unwind(AssertUnwindSafe(|| screen.present(place, context, output, &self.window)))
-            .unwrap_or(false)
+            .unwrap_or(Frame::Dropped)
     }
 }

@@ -10,6 +10,7 @@ use crate::Compiled;
 use crate::diagnostic::Report;
 use crate::gpu::Pipeline;
 use crate::outline::Outline;
+use crate::sketch::Sketch;
 
 /// What to build.
 pub enum Order {
@@ -25,7 +26,8 @@ pub enum Order {
     Measure(Option<String>),
     /// Whether a debug view is looked at.
     Views(bool),
-    /// This version is on the screen: there is time for its full pipeline.
+    /// This version is on the screen, or there is nothing to be shown of it yet: there is time for its next
+    /// pipeline.
     Shown(Arc<Compiled>),
     /// No more.
     End,
@@ -43,6 +45,10 @@ pub enum Built {
         text: Arc<str>,
     },
     Scene(Box<Version>),
+    /// The baked pipeline of the last [`Change::Structure`], which came with a sketch; how long it took.
+    Baked(Pipeline, Duration),
+    /// The driver does not take the last [`Change::Structure`].
+    Refused(Report),
     /// The pipeline of the last [`Change::Structure`] with all debug views, and with live numbers unless the
     /// GPU takes fewer.
     Full(Pipeline),
@@ -53,7 +59,9 @@ pub enum Built {
 pub struct Version {
     pub compiled: Arc<Compiled>,
     pub change: Change,
-    /// The baked pipeline of a [`Change::Structure`]; others keep the full one.
+    /// What to show of a [`Change::Structure`] until there is a pipeline.
+    pub sketch: Option<Sketch>,
+    /// The baked pipeline of a [`Change::Structure`] that has no sketch; others keep the full one.
     pub baked: Option<Pipeline>,
     pub pipeline_time: Duration,
     pub warnings: Report,

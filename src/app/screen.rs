@@ -5,12 +5,15 @@ use std::sync::Arc;
 use winit::window::Window;
 
 use super::messages::{FORMAT, Texels};
+use super::presenter::Presenter;
 use crate::gpu::{AdapterChoice, Display, Gpu, Target};
 
 /// A surface with what draws on it.
 pub struct Screen {
+    /// Where the driver is software: it would keep the window waiting. It ends first, since it has frames of
+    /// the surface.
+    presenter: Option<Presenter>,
     pub gpu: Gpu,
-    surface: wgpu::Surface<'static>,
     config: wgpu::SurfaceConfiguration,
     egui: egui_wgpu::Renderer,
     /// What puts the picture there: faster than egui, which blends.
@@ -20,15 +23,33 @@ pub struct Screen {
     kept: Option<Texels>,
     /// As egui calls it.
     picture_id: Option<egui::TextureId>,
+    is_presenting: bool,
+    /// Whether the surface has yet to get the window's size.
+    is_resized: bool,
+    /// It ends last: while the device does work, that has frames, too.
+    surface: wgpu::Surface<'static>,
+}
+
+/// What became of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Frame {
+    /// There is none.
+    Dropped,
+    Shown,
+    /// It is on its way, and the presenter tells when it is there.
+    Sent,
 }
 
 impl Screen {
+    /// `told` hears whether a frame that was sent is shown.
+    ///
     /// # Errors
     /// Where no GPU can draw on the window: what to tell the user.
     pub fn new(
         window: Arc<Window>,
         display: winit::event_loop::OwnedDisplayHandle,
         choice: &AdapterChoice,
+        told: impl Fn(bool) + Send + 'static,
     ) -> Result<Self, String> {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_with_display_handle_from_env(
             Box::new(display),
@@ -48,15 +69,38 @@ impl Screen {
         let options = egui_wgpu::RendererOptions { dithering: false, ..Default::default() };
         let egui = egui_wgpu::Renderer::new(&gpu.device, config.format, options);
         let display = Display::new(&gpu, config.format);
-        Ok(Self { gpu, surface, config, egui, display, picture: None, kept: None, picture_id: None })
+        let presenter = gpu.is_software().then(|| Presenter::start(gpu.clone(), told));
+        Ok(Self {
+            gpu,
+            surface,
+            config,
+            egui,
+            display,
+            picture: None,
+            kept: None,
+            picture_id: None,
+            presenter,
+            is_presenting: false,
+            is_resized: false,
+        })
     }
 
     pub fn resize(&mut self, width: u32, height: u32) {
         if width > 0 && height > 0 {
             self.config.width = width;
             self.config.height = height;
-            self.surface.configure(&self.gpu.device, &self.config);
+            self.is_resized = true;
         }
+    }
+
+    /// Whether a frame is on its way: no other one may be drawn.
+    pub fn is_presenting(&self) -> bool {
+        self.is_presenting
+    }
+
+    /// The frame that was sent is there, or never will be.
+    pub fn end_frame(&mut self) {
+        self.is_presenting = false;
     }
 
     /// The picture, as egui calls it.
@@ -95,15 +139,14 @@ impl Screen {
         self.kept.take()
     }
 
-    /// Draws the picture at its corner, so many pixels wide, and what egui has laid out; whether the screen
-    /// shows it now.
+    /// Draws the picture at its corner, so many pixels wide, and what egui has laid out.
     pub fn present(
         &mut self,
         (corner, width): ([u32; 2], u32),
         context: &egui::Context,
         mut output: egui::FullOutput,
         window: &Window,
-    ) -> bool {
+    ) -> Frame {
         let Gpu { device, queue, .. } = &self.gpu;
         let points = output.pixels_per_point;
         let jobs = context.tessellate(std::mem::take(&mut output.shapes), points);
@@ -149,14 +192,26 @@ impl Screen {
         for id in output.textures_delta.free.drain() {
             self.egui.free_texture(&id);
         }
-        let Some(target) = target else { return false };
+        let Some(target) = target else { return Frame::Dropped };
         window.pre_present_notify();
-        self.gpu.queue.present(target);
-        true
+        match &self.presenter {
+            Some(presenter) => {
+                presenter.present(target);
+                self.is_presenting = true;
+                Frame::Sent
+            }
+            None => {
+                self.gpu.queue.present(target);
+                Frame::Shown
+            }
+        }
     }
 
-    fn next_target(&self) -> Option<wgpu::SurfaceTexture> {
+    fn next_target(&mut self) -> Option<wgpu::SurfaceTexture> {
         use wgpu::CurrentSurfaceTexture::{Lost, Outdated, Suboptimal, Success};
+        if std::mem::take(&mut self.is_resized) {
+            self.surface.configure(&self.gpu.device, &self.config);
+        }
         match self.surface.get_current_texture() {
             Success(target) | Suboptimal(target) => Some(target),
             Outdated | Lost => {

@@ -25,7 +25,7 @@ impl Trial {
 
     /// A version has been drawn.
     pub fn end(&mut self, picture: &Picture) {
-        if picture.resolution == 1.0 || picture.moves {
+        if !picture.is_sketch && (picture.resolution == 1.0 || picture.moves) {
             self.good = Some(picture.compiled.clone());
             self.tried = None;
         }

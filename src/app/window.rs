@@ -12,9 +12,10 @@ use winit::window::{Window, WindowId};
 use super::engine::{self, Engine};
 use super::events::Event;
 use super::messages::{Notice, Wish};
-use super::open::Open;
+use super::open::{Fresh, Open};
 use super::orders::Order;
 use super::panel::Panel;
+use super::screen::Frame;
 use super::settings::{Memory, Theme};
 use super::trial::Trial;
 use super::{Options, Remote};
@@ -131,24 +132,34 @@ impl App<'_> {
 
     fn redraw(&mut self) {
         let Some(open) = &mut self.open else { return };
+        if open.engine.screen.is_presenting() {
+            open.is_outdated = true;
+            return;
+        }
         if let Some(object) = open.panel.take_choice() {
             (self.on_event)(&Event::Chosen { object });
         }
-        let presented = open.draw();
-        if presented {
-            let _ = open.engine.painter.send(Wish::Shown);
+        let frame = open.draw();
+        if frame != Frame::Dropped {
+            open.sent = open.fresh.take();
         }
-        if presented && let Some(mut event) = open.fresh.take() {
-            if let Some(compiled) = open.panel.compiled() {
-                let _ = open.engine.builder.send(Order::Shown(compiled.clone()));
-            }
-            if let Event::Presented { since_change_ms, blocked_ms, .. } = &mut event {
-                *since_change_ms = open.noticed.map_or(0.0, |at| at.elapsed().as_secs_f64() * 1e3);
-                *blocked_ms = self.blocked.as_secs_f64() * 1e3;
-            }
-            self.blocked = Duration::ZERO;
-            (self.on_event)(&event);
+        if frame == Frame::Shown {
+            self.presented();
         }
+    }
+
+    /// The frame drawn last is on the screen.
+    fn presented(&mut self) {
+        let Some(open) = &mut self.open else { return };
+        let _ = open.engine.painter.send(Wish::Shown);
+        let Some(Fresh { mut event, noticed, compiled }) = open.sent.take() else { return };
+        let _ = open.engine.builder.send(Order::Shown(compiled));
+        if let Event::Presented { since_change_ms, blocked_ms, .. } = &mut event {
+            *since_change_ms = noticed.elapsed().as_secs_f64() * 1e3;
+            *blocked_ms = self.blocked.as_secs_f64() * 1e3;
+        }
+        self.blocked = Duration::ZERO;
+        (self.on_event)(&event);
     }
 }
 
@@ -179,6 +190,18 @@ impl ApplicationHandler<(u32, Notice)> for App<'_> {
                 }
                 Notice::Remote(Remote::LoseDevice) => return open.engine.lose(),
                 Notice::Picture(picture) => open.take(picture),
+                Notice::Unsketched(compiled) => {
+                    return drop(open.engine.builder.send(Order::Shown(compiled)));
+                }
+                Notice::Frame { is_shown } => {
+                    open.engine.screen.end_frame();
+                    if std::mem::take(&mut open.is_outdated) {
+                        open.window.request_redraw();
+                    }
+                    return if is_shown {
+                        app.presented()
+                    };
+                }
                 Notice::Unchanged(warnings) => {
                     (app.on_event)(&Event::Unchanged);
                     if !open.panel.mend(&warnings) {

@@ -36,7 +36,8 @@ impl Tracer {
                 format: FORMAT,
                 usage: wgpu::TextureUsages::RENDER_ATTACHMENT
                     | wgpu::TextureUsages::TEXTURE_BINDING
-                    | wgpu::TextureUsages::COPY_SRC,
+                    | wgpu::TextureUsages::COPY_SRC
+                    | wgpu::TextureUsages::COPY_DST,
                 view_formats: &[],
             })
         };
@@ -108,6 +109,20 @@ impl Tracer {
             pass.draw(0..3, 0..1);
         }
         queue.submit([encoder.finish()]);
+    }
+
+    /// Takes pixels that were drawn elsewhere as the first sample: light and depth, row by row from the top.
+    pub fn fill(&mut self, pixels: &[[f32; 4]]) {
+        let [width, height] = self.size();
+        let layout = wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(width * size_of::<[f32; 4]>() as u32),
+            rows_per_image: None,
+        };
+        let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
+        let texture = self.textures[0].as_image_copy();
+        self.gpu.queue.write_texture(texture, bytemuck::cast_slice(pixels), layout, size);
+        self.samples = 1;
     }
 
     /// The sample that was drawn is complete.

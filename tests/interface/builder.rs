@@ -90,6 +90,7 @@ impl Builder {
         let moves = snippets.into_iter().any(|section| section.text.contains("frame.time"));
         let time = Duration::from_millis(20);
         let picture = Picture {
+            is_sketch: false,
             texels: Texels::Bytes { size: [1, 1], rgba: vec![0; 4] },
             edit: self.changes.len() as u64,
             change,

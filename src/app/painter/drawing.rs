@@ -24,7 +24,7 @@ impl Painter {
     }
 
     /// What the picture shows that is being drawn.
-    fn moment(&self, compiled: &Compiled) -> Moment {
+    pub(super) fn moment(&self, compiled: &Compiled) -> Moment {
         let scene = &compiled.scene;
         let mouse = self.look.mouse.map(|x| x / self.coarseness as f32);
         let camera = self.look.camera.unwrap_or(scene.camera);
@@ -52,7 +52,7 @@ impl Painter {
     }
 
     /// Sees to it that there is something to draw on, as large as the picture.
-    fn stretch(&mut self) -> Result<(), GpuError> {
+    pub(super) fn stretch(&mut self) -> Result<(), GpuError> {
         let size = self.picture_size();
         if self.tracer.as_ref().is_none_or(|t| t.size() != size) {
             self.tracer = Some(Tracer::new(&self.gpu, size)?);
@@ -101,7 +101,7 @@ impl Painter {
             self.prove();
         }
         if is_first || is_last || self.shown.elapsed() > Duration::from_millis(100) {
-            self.show(samples, frame_time)?;
+            self.show(frame_time)?;
         }
         if self.is_moving() {
             self.begin(self.coarseness);
@@ -112,7 +112,7 @@ impl Painter {
         Ok(())
     }
 
-    fn show(&mut self, samples: u32, frame_time: Duration) -> Result<(), GpuError> {
+    pub(super) fn show(&mut self, frame_time: Duration) -> Result<(), GpuError> {
         let scene = self.scene.as_mut().expect("it has been drawn");
         scene.is_shown = true;
         let tracer = self.tracer.as_ref().expect("it has drawn a sample");
@@ -124,7 +124,8 @@ impl Painter {
             texels,
             edit: scene.edit,
             change: version.change,
-            samples,
+            samples: tracer.samples(),
+            is_sketch: self.is_sketched,
             resolution: 1.0 / self.coarseness as f32,
             pipelines: self.gpu.pipelines_made(),
             noticed: version.noticed,

@@ -3,6 +3,7 @@
 
 mod drawing;
 mod refusal;
+mod sketching;
 
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -57,6 +58,8 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
             tracer: None,
             coarseness: 1,
             pixels_done: 0,
+            is_sketched: false,
+            sketch_cost: sketching::FIRST_COST,
             is_told: false,
             sample_started: Instant::now(),
             pace: Pace::new(SLICE, !shares_device),
@@ -89,6 +92,10 @@ struct Painter {
     /// Screen pixels to one of the picture being drawn.
     coarseness: u32,
     pixels_done: u32,
+    /// Whether the picture that is to be drawn was sketched, or could not be.
+    is_sketched: bool,
+    /// What a pixel of a sketch takes.
+    sketch_cost: Duration,
     /// Whether the window knows what lies under each pixel, as far as it has asked.
     is_told: bool,
     sample_started: Instant,
@@ -123,6 +130,8 @@ impl Painter {
                 self.warm_up()
             } else if self.needs_telling() {
                 self.tell()
+            } else if self.pipeline().is_none() {
+                self.sketch()
             } else {
                 self.draw_slice()
             };
@@ -135,7 +144,7 @@ impl Painter {
     }
 
     fn is_done(&self) -> bool {
-        if self.pipeline().is_none() {
+        if self.pipeline().is_none() && !self.needs_sketch() {
             return true;
         }
         let complete = self.tracer.as_ref().is_some_and(|t| t.samples() >= SAMPLES) && self.coarseness == 1;
@@ -208,6 +217,14 @@ impl Painter {
             }
             Wish::Built(Built::Broken(report)) => (self.notify)(Notice::Broken(report)),
             Wish::Built(Built::Scene(version)) => self.take(version),
+            Wish::Built(Built::Refused(report)) => self.refuse(report),
+            Wish::Built(Built::Baked(pipeline, time)) => {
+                let Some(scene) = self.refused.as_mut().or(self.scene.as_mut()) else { return };
+                scene.baked = Some(pipeline);
+                scene.version.pipeline_time = time;
+                self.pace.probe();
+                self.restart(if self.is_sketched { PROMPT } else { PROMPT_EDIT });
+            }
             Wish::Built(Built::Full(pipeline)) => {
                 if let Some(scene) = self.refused.as_mut().or(self.scene.as_mut()) {
                     scene.full = Some(Arc::new(pipeline));
@@ -235,6 +252,7 @@ impl Painter {
     fn restart(&mut self, prompt: Duration) {
         self.is_told = false;
         self.is_stuck = false;
+        self.is_sketched = false;
         self.begin(self.pace.coarseness(self.look.size, prompt));
     }
 

@@ -1,20 +1,21 @@
 //! The thread that turns files into pipelines: compile, tell what kind of edit it was, ask the driver.
 //!
-//! A structural edit is shown with its numbers baked in, which a driver compiles sooner and draws faster, and
-//! without debug views where none is looked at. The full pipeline, with live numbers, follows once that is on
-//! the screen, so that it is there before the author changes a number.
+//! In: [`Order`]. Out: [`Built`].
+
+mod steps;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Sender, channel};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
+use self::steps::Owed;
 use super::events::Change;
 use super::focus::Focus;
 use super::orders::{Built, Order, Version};
 use super::trial::Trial;
 use crate::diagnostic::{Diagnostic, Report};
-use crate::gpu::{Gpu, Pipeline};
+use crate::gpu::Gpu;
 use crate::ir::Measure;
 use crate::library::Library;
 use crate::outline;
@@ -39,7 +40,7 @@ pub fn start(gpu: Gpu, trial: Trial, done: impl Fn(Built) + Send + 'static) -> S
             focus: Focus::All,
             measure: None,
             before: None,
-            without_full: None,
+            owed: None,
             shows_views: false,
             trial,
         };
@@ -67,8 +68,8 @@ struct Builder {
     measure: Option<String>,
     /// The last version that could be drawn.
     before: Option<Arc<Compiled>>,
-    /// The same, while it has no full pipeline: that waits until the author sees the baked one.
-    without_full: Option<Arc<Compiled>>,
+    /// What the same has yet to get, once the author sees what is there.
+    owed: Option<Owed>,
     shows_views: bool,
     trial: Trial,
 }
@@ -79,17 +80,9 @@ impl Builder {
         let Some(compiled) = self.trial.good().cloned() else { return };
         let noticed = Instant::now();
         // What it was drawn with before it is drawn with again; where not, the files tell what is wrong.
-        let Ok(baked) = self.baked(&compiled) else { return };
-        done(Built::Scene(Box::new(Version {
-            compiled: compiled.clone(),
-            change: Change::Structure,
-            baked: Some(baked),
-            pipeline_time: noticed.elapsed(),
-            warnings: Report::default(),
-            noticed,
-        })));
-        self.before = Some(compiled.clone());
-        self.without_full = Some(compiled);
+        if self.show(&compiled, Report::default(), noticed, done).is_ok() {
+            self.before = Some(compiled);
+        }
     }
 
     /// Takes all orders that have come as one.
@@ -121,7 +114,7 @@ impl Builder {
                     is_shown |= shows;
                 }
                 Order::Shown(compiled) => {
-                    is_shown |= self.without_full.as_ref().is_some_and(|last| Arc::ptr_eq(last, &compiled));
+                    is_shown |= self.owed.as_ref().is_some_and(|o| Arc::ptr_eq(o.compiled(), &compiled));
                 }
             }
         }
@@ -130,7 +123,7 @@ impl Builder {
             self.outline(done);
         }
         if is_shown && !is_new {
-            self.build_full(done);
+            self.pay(done);
         }
     }
 
@@ -175,31 +168,18 @@ impl Builder {
         if change == Change::Numbers && !self.build_full(done) {
             change = Change::Structure;
         }
-        let started = Instant::now();
-        let mut baked = None;
         if change == Change::Structure {
-            match self.baked(&compiled) {
-                Ok(pipeline) => baked = Some(pipeline),
-                Err(problem) => {
-                    done(Built::Broken(broken(problem)));
-                    return None;
-                }
+            if let Err(problem) = self.show(&compiled, outcome.report.clone(), noticed, done) {
+                done(Built::Broken(broken(problem)));
+                return None;
             }
+        } else {
+            let (sketch, baked, pipeline_time) = (None, None, Duration::ZERO);
+            let (compiled, warnings) = (compiled.clone(), outcome.report);
+            let version = Version { compiled, change, sketch, baked, pipeline_time, warnings, noticed };
+            done(Built::Scene(Box::new(version)));
         }
-        let pipeline_time = started.elapsed();
-        let version = Version {
-            compiled: compiled.clone(),
-            change,
-            baked,
-            pipeline_time,
-            warnings: outcome.report,
-            noticed,
-        };
-        done(Built::Scene(Box::new(version)));
-        self.before = Some(compiled.clone());
-        if change == Change::Structure {
-            self.without_full = Some(compiled);
-        }
+        self.before = Some(compiled);
         Some(change)
     }
 
@@ -222,26 +202,6 @@ impl Builder {
         if let Some(outline) = outline {
             done(Built::Outline { outline: Box::new(outline), text });
         }
-    }
-
-    /// Makes the full pipeline of the last structural edit, if that has none yet. Are its numbers live?
-    fn build_full(&mut self, done: &impl Fn(Built)) -> bool {
-        let Some(compiled) = self.without_full.take() else { return self.before.is_some() };
-        let full = Pipeline::build(&self.gpu, &compiled).or_else(|_| {
-            // A scene may have more numbers than the GPU takes. Then every edit is a structural one.
-            self.before = None;
-            self.build_baked(compiled.in_mode(Mode::Baked))
-        });
-        full.into_iter().for_each(|pipeline| done(Built::Full(pipeline)));
-        self.before.is_some()
-    }
-
-    fn baked(&self, compiled: &Compiled) -> Result<Pipeline, Diagnostic> {
-        self.build_baked(if self.shows_views { compiled.in_mode(Mode::Baked) } else { compiled.plain() })
-    }
-
-    fn build_baked(&self, twin: Result<Compiled, Diagnostic>) -> Result<Pipeline, Diagnostic> {
-        Pipeline::build(&self.gpu, &twin?).map_err(|error| Diagnostic::error(error.to_string()))
     }
 
     fn change(&self, compiled: &Compiled) -> Change {
