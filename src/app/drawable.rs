@@ -1,16 +1,22 @@
 //! A version of the scene with its pipelines, as the painter keeps it.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use super::events::Change;
 use super::orders::Version;
 use crate::gpu::{Gpu, Pipeline};
 use crate::sketch::Sketch;
 
+/// What a pixel of a sketch takes, before one of the scene has been drawn.
+const FIRST_COST: Duration = Duration::from_micros(5);
+
 /// A scene on the GPU.
 pub struct Drawable {
     pub version: Box<Version>,
     pub sketch: Option<Sketch>,
+    /// What a pixel of a sketch takes.
+    pub sketch_cost: Duration,
     pub baked: Option<Pipeline>,
     /// One for all versions that differ in numbers: it has those of the one drawn last.
     pub full: Option<Arc<Pipeline>>,
@@ -33,6 +39,9 @@ impl Drawable {
         let reads = |what: &str| snippets.clone().any(|s| s.text.contains(what));
         let (moves, reads_mouse) = (reads("frame.time"), reads("frame.mouse"));
         let edit = before.map_or(0, |scene| scene.edit + 1);
+        let name = &version.compiled.scene.name;
+        let same_file = before.filter(|before| before.version.compiled.scene.name == *name);
+        let sketch_cost = same_file.map_or(FIRST_COST, |before| before.sketch_cost);
         let (sketch, baked) = (version.sketch.take(), version.baked.take());
         let full =
             before.filter(|_| version.change == Change::Numbers).and_then(|before| before.full.clone());
@@ -40,6 +49,7 @@ impl Drawable {
         Self {
             version,
             sketch,
+            sketch_cost,
             baked,
             full,
             is_warm,

@@ -64,6 +64,8 @@ pub struct Version {
     /// The baked pipeline of a [`Change::Structure`] that has no sketch; others keep the full one.
     pub baked: Option<Pipeline>,
     pub pipeline_time: Duration,
+    /// Whether it is on the screen, since a device that is lost has drawn it.
+    pub is_on_screen: bool,
     pub warnings: Report,
     /// When the change was noticed.
     pub noticed: Instant,

@@ -21,7 +21,7 @@ pub struct Inputs<'a> {
 
 /// The time was up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooSlow;
+pub struct OutOfTime;
 
 pub struct Machine<'a> {
     program: &'a Program,
@@ -62,7 +62,7 @@ impl<'a> Machine<'a> {
     }
 
     /// Red, green, blue and depth of the pixels right of and below `corner`, row by row.
-    pub fn square(&mut self, corner: [u32; 2]) -> Result<[[f32; 4]; LANES], TooSlow> {
+    pub fn square(&mut self, corner: [u32; 2]) -> Result<[[f32; 4]; LANES], OutOfTime> {
         self.mask = ALL;
         self.killed = NONE;
         self.targets.clear();
@@ -77,7 +77,7 @@ impl<'a> Machine<'a> {
         Ok(std::array::from_fn(|i| channels.map(|lanes| f32::from_bits(lanes[i]))))
     }
 
-    fn call(&mut self, function: usize) -> Result<(), TooSlow> {
+    fn call(&mut self, function: usize) -> Result<(), OutOfTime> {
         let before = self.mask;
         let program = self.program;
         self.run(&program.functions[function].body)?;
@@ -86,7 +86,7 @@ impl<'a> Machine<'a> {
     }
 
     /// Afterwards the mask has the lanes that come out at the end.
-    fn run(&mut self, nodes: &'a [Node]) -> Result<(), TooSlow> {
+    fn run(&mut self, nodes: &'a [Node]) -> Result<(), OutOfTime> {
         for node in nodes {
             if !any(&self.mask) {
                 return Ok(());
@@ -129,7 +129,7 @@ impl<'a> Machine<'a> {
         Ok(())
     }
 
-    fn switch(&mut self, selector: Reg, cases: &'a [super::program::Case]) -> Result<(), TooSlow> {
+    fn switch(&mut self, selector: Reg, cases: &'a [super::program::Case]) -> Result<(), OutOfTime> {
         let whole = self.mask;
         let selector = self.registers[selector as usize];
         let is = |value: u32| -> Lanes {
@@ -161,11 +161,11 @@ impl<'a> Machine<'a> {
         body: &'a [Node],
         continuing: &'a [Node],
         break_if: Option<Reg>,
-    ) -> Result<(), TooSlow> {
+    ) -> Result<(), OutOfTime> {
         self.targets.push(Target { is_loop: true, broken: NONE, continued: NONE });
         while any(&self.mask) {
             if Instant::now() > self.inputs.until {
-                return Err(TooSlow);
+                return Err(OutOfTime);
             }
             self.run(body)?;
             let target = self.targets.last_mut().expect("each loop pops its own");

@@ -34,6 +34,10 @@ pub struct Sketch {
     pub has_views: bool,
 }
 
+/// A sketch that was given up: how long it would have taken, as far as that can be told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooSlow(pub Duration);
+
 impl Sketch {
     /// # Errors
     /// Where the module has something that only a driver can do; no file that ships with raytoy has.
@@ -48,9 +52,11 @@ impl Sketch {
         })
     }
 
-    /// The light and the depth of each pixel, row by row from the top; None where that would take longer than
-    /// `patience`, which is known after a part of that time.
-    pub fn draw(&self, frame: &Frame, patience: Duration) -> Option<Vec<[f32; 4]>> {
+    /// The light and the depth of each pixel, row by row from the top.
+    ///
+    /// # Errors
+    /// Where that would take longer than `patience`, which is known after a part of that time.
+    pub fn draw(&self, frame: &Frame, patience: Duration) -> Result<Vec<[f32; 4]>, TooSlow> {
         let [width, height] = frame.resolution.map(|n| n as u32);
         let [columns, rows] = [width, height].map(|n| n.div_ceil(SIDE as u32));
         let begun = Instant::now();
@@ -93,6 +99,11 @@ impl Sketch {
             let threads: Vec<_> = (0..threads).map(|_| scope.spawn(draw)).collect();
             threads.into_iter().all(|thread| thread.join().is_ok_and(|whole| whole))
         });
-        is_whole.then(|| picture.into_inner().expect("no thread panics"))
+        if is_whole {
+            return Ok(picture.into_inner().expect("no thread panics"));
+        }
+        // No square may have ended.
+        let share = f64::from(ended.into_inner().max(1)) / f64::from(squares);
+        Err(TooSlow(begun.elapsed().div_f64(share)))
     }
 }

@@ -22,6 +22,8 @@ fn main() {
         ("textures", include_str!("../../scenes/textures.ron")),
         ("shapes", include_str!("../../scenes/shapes.ron")),
         ("glass", include_str!("../../scenes/glass.ron")),
+        ("solids", include_str!("../../scenes/solids.ron")),
+        ("fractals", include_str!("../../scenes/fractals.ron")),
     ];
     for (name, text) in scenes {
         if wanted.is_empty() || wanted.iter().any(|scene| scene == name) {

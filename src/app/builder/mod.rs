@@ -80,7 +80,9 @@ impl Builder {
         let Some(compiled) = self.trial.good().cloned() else { return };
         let noticed = Instant::now();
         // What it was drawn with before it is drawn with again; where not, the files tell what is wrong.
-        if self.show(&compiled, Report::default(), noticed, done).is_ok() {
+        // A picture that has come through memory is on the screen still.
+        let is_on_screen = self.gpu.is_software();
+        if self.show(&compiled, Report::default(), noticed, is_on_screen, done).is_ok() {
             self.before = Some(compiled);
         }
     }
@@ -169,14 +171,16 @@ impl Builder {
             change = Change::Structure;
         }
         if change == Change::Structure {
-            if let Err(problem) = self.show(&compiled, outcome.report.clone(), noticed, done) {
+            if let Err(problem) = self.show(&compiled, outcome.report.clone(), noticed, false, done) {
                 done(Built::Broken(broken(problem)));
                 return None;
             }
         } else {
             let (sketch, baked, pipeline_time) = (None, None, Duration::ZERO);
             let (compiled, warnings) = (compiled.clone(), outcome.report);
-            let version = Version { compiled, change, sketch, baked, pipeline_time, warnings, noticed };
+            let is_on_screen = false;
+            let version =
+                Version { compiled, change, sketch, baked, pipeline_time, is_on_screen, warnings, noticed };
             done(Built::Scene(Box::new(version)));
         }
         self.before = Some(compiled);

@@ -32,17 +32,18 @@ impl Owed {
 }
 
 impl Builder {
-    /// Tells a version of another structure: a sketch of it where there can be one, else with its baked
-    /// pipeline.
+    /// Tells a version of another structure: as a sketch where there can be one and nothing finer is on the
+    /// screen, else with its baked pipeline.
     pub(super) fn show(
         &mut self,
         compiled: &Arc<Compiled>,
         warnings: Report,
         noticed: Instant,
+        is_on_screen: bool,
         done: &impl Fn(Built),
     ) -> Result<(), Diagnostic> {
         let twin = if self.shows_views { compiled.in_mode(Mode::Baked) } else { compiled.plain() }?;
-        let sketch = Sketch::new(&twin).ok();
+        let sketch = Some(&twin).filter(|_| !is_on_screen).and_then(|twin| Sketch::new(twin).ok());
         let is_sketched = sketch.is_some();
         let started = Instant::now();
         let baked = match is_sketched {
@@ -55,6 +56,7 @@ impl Builder {
             sketch,
             baked,
             pipeline_time: started.elapsed(),
+            is_on_screen,
             warnings,
             noticed,
         })));

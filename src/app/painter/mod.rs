@@ -59,7 +59,6 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
             coarseness: 1,
             pixels_done: 0,
             is_sketched: false,
-            sketch_cost: sketching::FIRST_COST,
             is_told: false,
             sample_started: Instant::now(),
             pace: Pace::new(SLICE, !shares_device),
@@ -94,8 +93,6 @@ struct Painter {
     pixels_done: u32,
     /// Whether the picture that is to be drawn was sketched, or could not be.
     is_sketched: bool,
-    /// What a pixel of a sketch takes.
-    sketch_cost: Duration,
     /// Whether the window knows what lies under each pixel, as far as it has asked.
     is_told: bool,
     sample_started: Instant,
@@ -240,12 +237,17 @@ impl Painter {
             return (self.notify)(Notice::Unchanged(report));
         }
         self.waits_until = None;
-        let has_pipeline = version.baked.is_some();
-        if has_pipeline {
+        if version.baked.is_some() {
             self.pace.probe();
         }
+        let prompt = match &*version {
+            // Nothing coarser comes in its place.
+            Version { is_on_screen: true, .. } => Duration::MAX,
+            Version { baked: Some(_), .. } => PROMPT_EDIT,
+            _ => PROMPT,
+        };
         self.replace(version);
-        self.restart(if has_pipeline { PROMPT_EDIT } else { PROMPT });
+        self.restart(prompt);
     }
 
     /// Begins a new picture, coarse where a fine one would keep the window waiting.

@@ -6,12 +6,13 @@ use super::{Painter, SAMPLES};
 use crate::app::messages::Notice;
 use crate::gpu::{Frame, GpuError, sample_offset};
 
-/// What a pixel takes, before one has been drawn.
-pub const FIRST_COST: Duration = Duration::from_micros(5);
-/// A sketch is so coarse that it takes about this long.
+/// A sketch is so coarse that it takes about this long, between the finest that is worth it and one that is
+/// still a picture. One of a slow scene gets more time before it gets coarser than that.
 const WANTED: Duration = Duration::from_millis(40);
-/// Screen pixels to one of a sketch, at least and at most.
-const COARSENESS: [f64; 2] = [4.0, 16.0];
+const FINE: f64 = 4.0;
+const COARSE: f64 = 16.0;
+const SLOW: Duration = Duration::from_millis(100);
+const COARSEST: f64 = 32.0;
 /// One that would take longer is not worth its time.
 const PATIENCE: Duration = Duration::from_millis(200);
 
@@ -23,25 +24,43 @@ impl Painter {
     }
 
     pub(super) fn sketch(&mut self) -> Result<(), GpuError> {
+        self.is_sketched = true;
         let Some(scene) = &self.scene else { return Ok(()) };
         let Some(sketch) = scene.sketch.clone() else { return Ok(()) };
-        let compiled = scene.version.compiled.clone();
+        let (compiled, mut cost) = (scene.version.compiled.clone(), scene.sketch_cost);
         self.time = if scene.moves { self.look.clock.time() } else { 0.0 };
-        let [width, height] = self.look.size.map(f64::from);
-        let cost = self.sketch_cost.as_secs_f64() * width * height / WANTED.as_secs_f64();
-        self.coarseness = cost.sqrt().ceil().clamp(COARSENESS[0], COARSENESS[1]) as u32;
-        self.is_sketched = true;
-        let (size, render) = (self.picture_size(), &compiled.scene.render);
-        let (moment, jitter) = (self.moment(&compiled), sample_offset(0, SAMPLES));
-        let frame = Frame::new(&moment, render, compiled.scene.casters(), size, 0, jitter);
-        let begun = Instant::now();
-        let Some(pixels) = sketch.draw(&frame, PATIENCE) else {
-            (self.notify)(Notice::Unsketched(compiled));
-            return Ok(());
-        };
-        self.sketch_cost = begun.elapsed() / (size[0] * size[1]);
-        self.stretch()?;
-        self.tracer.as_mut().expect("it was just made").fill(&pixels);
-        self.show(begun.elapsed())
+        loop {
+            self.coarseness = coarseness(self.look.size, cost);
+            let (size, render) = (self.picture_size(), &compiled.scene.render);
+            let (moment, jitter) = (self.moment(&compiled), sample_offset(0, SAMPLES));
+            let frame = Frame::new(&moment, render, compiled.scene.casters(), size, 0, jitter);
+            let begun = Instant::now();
+            let drawn = sketch.draw(&frame, PATIENCE);
+            let time = drawn.as_ref().map_or_else(|too_slow| too_slow.0, |_| begun.elapsed());
+            cost = time / (size[0] * size[1]);
+            if let Some(scene) = &mut self.scene {
+                scene.sketch_cost = cost;
+            }
+            match drawn {
+                Ok(pixels) => {
+                    self.stretch()?;
+                    self.tracer.as_mut().expect("it was just made").fill(&pixels);
+                    return self.show(time);
+                }
+                // Now it is known what a pixel takes.
+                Err(_) if coarseness(self.look.size, cost) > self.coarseness => {}
+                Err(_) => {
+                    (self.notify)(Notice::Unsketched(compiled));
+                    return Ok(());
+                }
+            }
+        }
     }
+}
+
+/// Screen pixels to one of a sketch in which a pixel takes `cost`.
+fn coarseness(size: [u32; 2], cost: Duration) -> u32 {
+    let whole = cost.as_secs_f64() * f64::from(size[0]) * f64::from(size[1]);
+    let within = |time: Duration| (whole / time.as_secs_f64()).sqrt().ceil();
+    within(WANTED).clamp(FINE, COARSE).max(within(SLOW).min(COARSEST)) as u32
 }
