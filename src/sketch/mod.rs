@@ -16,13 +16,18 @@ use std::time::{Duration, Instant};
 
 use self::images::Image;
 pub use self::lower::Unsupported;
+use self::lower::unsupported;
 use self::machine::{Inputs, Machine};
 use self::program::{Program, SIDE};
 use crate::Compiled;
 use crate::gpu::Frame;
+use crate::library::Model;
 
 /// A prime near 2^32 over the golden ratio: in steps of it, the first squares already are from everywhere.
 const SCATTER: u64 = 2_654_435_761;
+
+/// Larger models take longer to bring here than a sketch is worth.
+const MOST_TEXELS: usize = 1 << 20;
 
 /// A scene that the processor can draw.
 #[derive(Clone, Debug)]
@@ -42,6 +47,9 @@ impl Sketch {
     /// # Errors
     /// Where the module has something that only a driver can do; no file that ships with raytoy has.
     pub fn new(compiled: &Compiled) -> Result<Self, Unsupported> {
+        if compiled.scene.models.iter().map(Model::texels).sum::<usize>() > MOST_TEXELS {
+            return unsupported("models of so many triangles");
+        }
         let (module, info) = (compiled.module.naga(), compiled.module.info());
         let program = lower::lower(module, info, "tracePixel")?;
         Ok(Self {

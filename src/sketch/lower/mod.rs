@@ -33,14 +33,14 @@ impl std::fmt::Display for Unsupported {
 
 impl std::error::Error for Unsupported {}
 
-type Result<T> = std::result::Result<T, Unsupported>;
+pub type Result<T> = std::result::Result<T, Unsupported>;
 
-fn unsupported<T>(what: impl std::fmt::Debug) -> Result<T> {
+pub fn unsupported<T>(what: impl std::fmt::Debug) -> Result<T> {
     Err(Unsupported(format!("{what:?}")))
 }
 
 /// Registers for private variables and constants, below those of all functions.
-const SHARED: Reg = 4096;
+const SHARED: Reg = 1 << 14;
 
 /// The program of the fragment shader `entry`.
 ///
