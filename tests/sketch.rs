@@ -152,7 +152,12 @@ const TURN: &str = "fn way7TurnOnce(p: ptr<function, vec3f>, angle: f32) {
 
 #[test]
 fn it_goes_every_way_that_wgsl_has() {
-    for (i, way) in WAYS.iter().enumerate() {
+    let deep = format!(
+        "{}return at.position;{}\nreturn vec3f(0.1);",
+        "if at.uv.x < 9.0 { ".repeat(100),
+        "}".repeat(100)
+    );
+    for (i, way) in WAYS.into_iter().chain([deep.as_str()]).enumerate() {
         let helper = if way.contains("TurnOnce") { TURN } else { "" };
         let snippet = format!("/// A test.\nfn way{i}(at: Surface) -> vec3f {{\n{way}\n}}\n\n{helper}");
         let scene = format!("(objects: [Sphere(radius: 1, material: (color: 0, emission: Way{i}()))])");

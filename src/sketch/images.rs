@@ -31,7 +31,8 @@ impl Image {
     pub fn texel(&self, [x, y]: [u32; 2]) -> [u32; 4] {
         match self {
             Image::Words { width, texels } if x < *width => {
-                texels.get((y * width + x) as usize).copied().unwrap_or_default()
+                let place = u64::from(y) * u64::from(*width) + u64::from(x);
+                texels.get(place as usize).copied().unwrap_or_default()
             }
             _ => [0; 4],
         }

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use super::images::Image;
 use super::lanes::{and, and_not, any, one, or, store, three, two};
-use super::program::{Buffer, LANES, Lanes, Node, Op, Program, Reg, SIDE};
+use super::program::{Buffer, Case, LANES, Lanes, Node, Op, Program, Reg, SIDE};
 
 const ALL: Lanes = [u32::MAX; LANES];
 const NONE: Lanes = [0; LANES];
@@ -129,7 +129,7 @@ impl<'a> Machine<'a> {
         Ok(())
     }
 
-    fn switch(&mut self, selector: Reg, cases: &'a [super::program::Case]) -> Result<(), OutOfTime> {
+    fn switch(&mut self, selector: Reg, cases: &'a [Case]) -> Result<(), OutOfTime> {
         let whole = self.mask;
         let selector = self.registers[selector as usize];
         let is = |value: u32| -> Lanes {

@@ -26,6 +26,9 @@ use crate::library::Model;
 /// A prime near 2^32 over the golden ratio: in steps of it, the first squares already are from everywhere.
 const SCATTER: u64 = 2_654_435_761;
 
+/// Enough for as many blocks in each other as naga takes.
+const STACK_BYTES: usize = 16 << 20;
+
 /// Larger models take longer to bring here than a sketch is worth.
 const MOST_TEXELS: usize = 1 << 20;
 
@@ -82,11 +85,11 @@ impl Sketch {
             loop {
                 let number = begins.fetch_add(1, Ordering::Relaxed);
                 if number >= squares {
-                    return true;
+                    return;
                 }
                 let square = (u64::from(number) * SCATTER % u64::from(squares)) as u32;
                 let corner = [square % columns, square / columns].map(|n| n * SIDE as u32);
-                let Ok(pixels) = machine.square(corner) else { return false };
+                let Ok(pixels) = machine.square(corner) else { return };
                 let mut picture = picture.lock().expect("no thread panics");
                 for (i, pixel) in pixels.into_iter().enumerate() {
                     let [x, y] = [corner[0] + (i % SIDE) as u32, corner[1] + (i / SIDE) as u32];
@@ -98,20 +101,21 @@ impl Sketch {
                 let share = f64::from(ended.fetch_add(1, Ordering::Relaxed) + 1) / f64::from(squares);
                 let time = begun.elapsed();
                 if time > patience / 6 && time.as_secs_f64() > patience.as_secs_f64() * share {
-                    return false;
+                    return;
                 }
             }
         };
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        let is_whole = std::thread::scope(|scope| {
-            let threads: Vec<_> = (0..threads).map(|_| scope.spawn(draw)).collect();
-            threads.into_iter().all(|thread| thread.join().is_ok_and(|whole| whole))
+        std::thread::scope(|scope| {
+            let thread = |_| std::thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, draw);
+            (0..threads).map_while(|i| thread(i).ok()).for_each(drop);
         });
-        if is_whole {
+        let ended = ended.into_inner();
+        if ended == squares {
             return Ok(picture.into_inner().expect("no thread panics"));
         }
         // No square may have ended.
-        let share = f64::from(ended.into_inner().max(1)) / f64::from(squares);
+        let share = f64::from(ended.max(1)) / f64::from(squares);
         Err(TooSlow(begun.elapsed().div_f64(share)))
     }
 }
