@@ -66,6 +66,9 @@ impl<'a> Machine<'a> {
         self.mask = ALL;
         self.killed = NONE;
         self.targets.clear();
+        for (variable, begin) in &self.program.variables {
+            self.registers[*variable as usize] = self.registers[*begin as usize];
+        }
         let [x, y] = self.program.pixel;
         for i in 0..LANES {
             let center = [corner[0] + (i % SIDE) as u32, corner[1] + (i / SIDE) as u32];

@@ -21,6 +21,8 @@ pub struct Program {
     pub functions: Vec<Function>,
     /// Registers that never change, with what they hold.
     pub constants: Vec<(Reg, u32)>,
+    /// Registers of the variables that each pixel has for itself, with those that they begin as.
+    pub variables: Vec<(Reg, Reg)>,
     pub registers: usize,
     /// Where the entry point expects x and y of its pixel.
     pub pixel: [Reg; 2],

@@ -82,9 +82,7 @@ impl Builder {
         // What it was drawn with before it is drawn with again; where not, the files tell what is wrong.
         // A picture that has come through memory is on the screen still.
         let is_on_screen = self.gpu.is_software();
-        if self.show(&compiled, Report::default(), noticed, is_on_screen, done).is_ok() {
-            self.before = Some(compiled);
-        }
+        let _ = self.show(&compiled, Report::default(), noticed, is_on_screen, done);
     }
 
     /// Takes all orders that have come as one.
@@ -177,13 +175,12 @@ impl Builder {
             }
         } else {
             let (sketch, baked, pipeline_time) = (None, None, Duration::ZERO);
-            let (compiled, warnings) = (compiled.clone(), outcome.report);
-            let is_on_screen = false;
+            let (warnings, is_on_screen) = (outcome.report, false);
             let version =
                 Version { compiled, change, sketch, baked, pipeline_time, is_on_screen, warnings, noticed };
+            self.before = Some(version.compiled.clone());
             done(Built::Scene(Box::new(version)));
         }
-        self.before = Some(compiled);
         Some(change)
     }
 

@@ -60,6 +60,7 @@ impl Builder {
             warnings,
             noticed,
         })));
+        self.before = Some(compiled.clone());
         self.owed = Some(Owed::Full(compiled.clone()));
         if is_sketched {
             self.owed = Some(Owed::Baked(compiled.clone(), Box::new(twin)));
@@ -87,6 +88,8 @@ impl Builder {
                         self.owed = Some(Owed::Full(compiled));
                     }
                     Err(problem) => {
+                        // No later edit can go on from it.
+                        self.before = None;
                         done(Built::Refused(Report { diagnostics: vec![problem], ..Report::default() }));
                     }
                 }

@@ -201,7 +201,7 @@ impl<'m> Lowering<'m> {
     }
 
     /// A value that is the same everywhere.
-    fn constant_value(&mut self, handle: Handle<Expression>) -> Result<Vec<Reg>> {
+    pub fn constant_value(&mut self, handle: Handle<Expression>) -> Result<Vec<Reg>> {
         match &self.module.global_expressions[handle] {
             Expression::Literal(literal) => Ok(vec![self.literal(*literal)?]),
             Expression::Constant(constant) => self.constant_value(self.module.constants[*constant].init),

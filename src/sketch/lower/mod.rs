@@ -64,6 +64,11 @@ pub fn lower(module: &naga::Module, info: &naga::valid::ModuleInfo, entry: &str)
             let size = lowering.size(&module.types[variable.ty].inner)?;
             let first = lowering.registers(size);
             lowering.globals.insert(handle, first);
+            let begin = match variable.init {
+                Some(init) => lowering.constant_value(init)?,
+                None => vec![lowering.constant(0)?; size as usize],
+            };
+            lowering.program.variables.extend((first..).zip(begin));
         }
     }
     if lowering.next > SHARED / 2 {
