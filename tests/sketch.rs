@@ -127,7 +127,8 @@ const WAYS: [&str; 8] = [
     let d = trunc(x) + mix(x, x.zyx, 0.3) + smoothstep(vec3f(-1.0), vec3f(2.0), x) + saturate(x) + x % 0.7;
     let e = cross(x, a) + reflect(b, normalize(c + 9.0)) + distance(c, d) + pow(abs(x) + 0.1, vec3f(1.7));
     let f = asinh(x) + atanh(0.3 * x) + acosh(1.1 + abs(x)) + faceForward(x, a, b) + radians(9.0 * x);
-    return abs(fract(0.11 * (a + b + c + d + e + f) + 0.013) * 2.0 - 1.0);",
+    let g = refract(normalize(x + 0.1), normalize(a + 0.2), 1.2) + degrees(0.01 * x);
+    return abs(fract(0.11 * (a + b + c + d + e + f + g) + 0.013) * 2.0 - 1.0);",
     // What is all of many, or any.
     "    let x = at.position > vec3f(0.0, 0.3, -0.2);
     let both = vec3f(f32(all(x)), f32(any(x)), f32(x.x || (!x.y && x.z)));

@@ -62,6 +62,7 @@ impl Lowering<'_> {
                 };
                 Ok(a.iter().map(|a| turned(self, *a)).collect())
             }
+            MathFunction::Refract => self.refract(a, &arguments[1], arguments[2][0]),
             MathFunction::Transpose => {
                 let TypeInner::Matrix { columns, rows, .. } = ty else { return unsupported(ty) };
                 let (columns, rows) = (*columns as usize, *rows as usize);
@@ -120,6 +121,26 @@ impl Lowering<'_> {
             }
             other => return unsupported(other),
         })
+    }
+
+    /// `ratio * a - (ratio * cosine + sqrt(k)) * n`, nothing where k is negative.
+    fn refract(&mut self, a: &[Reg], n: &[Reg], ratio: Reg) -> Result<Vec<Reg>> {
+        let (zero, one) = (self.float(0.0)?, self.float(1.0)?);
+        let cosine = self.dot(n, a);
+        let square = self.two(Two::Mul, cosine, cosine);
+        let sine = self.two(Two::Sub, one, square);
+        let ratio2 = self.two(Two::Mul, ratio, ratio);
+        let bent = self.two(Two::Mul, ratio2, sine);
+        let k = self.two(Two::Sub, one, bent);
+        let root = self.one(One::Sqrt, k);
+        let back = self.three(Three::MulAdd, ratio, cosine, root);
+        let is_none = self.two(Two::Less, k, zero);
+        let part = |lowering: &mut Self, a, n| {
+            let away = lowering.two(Two::Mul, back, n);
+            let through = lowering.three(Three::MulSub, ratio, a, away);
+            lowering.three(Three::Select, is_none, zero, through)
+        };
+        Ok(a.iter().zip(n).map(|(a, n)| part(self, *a, *n)).collect())
     }
 
     fn clamp(&mut self, kind: ScalarKind, x: Reg, low: Reg, high: Reg) -> Reg {
