@@ -103,47 +103,6 @@ pub enum Three {
 }
 
 #[inline(always)]
-fn each(f: impl Fn(usize) -> u32) -> Lanes {
-    std::array::from_fn(f)
-}
-
-/// A float to a float.
-#[inline(always)]
-fn float(a: &Lanes, f: impl Fn(f32) -> f32) -> Lanes {
-    each(|i| f(f32::from_bits(a[i])).to_bits())
-}
-
-#[inline(always)]
-fn floats(a: &Lanes, b: &Lanes, f: impl Fn(f32, f32) -> f32) -> Lanes {
-    each(|i| f(f32::from_bits(a[i]), f32::from_bits(b[i])).to_bits())
-}
-
-#[inline(always)]
-fn compared(a: &Lanes, b: &Lanes, f: impl Fn(f32, f32) -> bool) -> Lanes {
-    each(|i| mask(f(f32::from_bits(a[i]), f32::from_bits(b[i]))))
-}
-
-#[inline(always)]
-fn word(a: &Lanes, f: impl Fn(u32) -> u32) -> Lanes {
-    each(|i| f(a[i]))
-}
-
-#[inline(always)]
-fn words(a: &Lanes, b: &Lanes, f: impl Fn(u32, u32) -> u32) -> Lanes {
-    each(|i| f(a[i], b[i]))
-}
-
-#[inline(always)]
-fn ints(a: &Lanes, b: &Lanes, f: impl Fn(i32, i32) -> i32) -> Lanes {
-    words(a, b, |x, y| f(x as i32, y as i32) as u32)
-}
-
-#[inline(always)]
-fn mask(is: bool) -> u32 {
-    (is as u32).wrapping_neg()
-}
-
-#[inline(always)]
 pub fn one(f: One, a: &Lanes) -> Lanes {
     match f {
         One::Copy => *a,
@@ -192,10 +151,6 @@ pub fn one(f: One, a: &Lanes) -> Lanes {
         One::AlongX => each(|i| difference(a, i & !1, i | 1)),
         One::AlongY => each(|i| difference(a, i & !SIDE, i | SIDE)),
     }
-}
-
-fn difference(a: &Lanes, from: usize, to: usize) -> u32 {
-    (f32::from_bits(a[to]) - f32::from_bits(a[from])).to_bits()
 }
 
 #[inline(always)]
@@ -273,4 +228,49 @@ pub fn or(a: &Lanes, b: &Lanes) -> Lanes {
 
 pub fn any(a: &Lanes) -> bool {
     a.iter().fold(0, |all, x| all | x) != 0
+}
+
+#[inline(always)]
+fn each(f: impl Fn(usize) -> u32) -> Lanes {
+    std::array::from_fn(f)
+}
+
+/// A float to a float.
+#[inline(always)]
+fn float(a: &Lanes, f: impl Fn(f32) -> f32) -> Lanes {
+    each(|i| f(f32::from_bits(a[i])).to_bits())
+}
+
+#[inline(always)]
+fn floats(a: &Lanes, b: &Lanes, f: impl Fn(f32, f32) -> f32) -> Lanes {
+    each(|i| f(f32::from_bits(a[i]), f32::from_bits(b[i])).to_bits())
+}
+
+#[inline(always)]
+fn compared(a: &Lanes, b: &Lanes, f: impl Fn(f32, f32) -> bool) -> Lanes {
+    each(|i| mask(f(f32::from_bits(a[i]), f32::from_bits(b[i]))))
+}
+
+#[inline(always)]
+fn word(a: &Lanes, f: impl Fn(u32) -> u32) -> Lanes {
+    each(|i| f(a[i]))
+}
+
+#[inline(always)]
+fn words(a: &Lanes, b: &Lanes, f: impl Fn(u32, u32) -> u32) -> Lanes {
+    each(|i| f(a[i], b[i]))
+}
+
+#[inline(always)]
+fn ints(a: &Lanes, b: &Lanes, f: impl Fn(i32, i32) -> i32) -> Lanes {
+    words(a, b, |x, y| f(x as i32, y as i32) as u32)
+}
+
+#[inline(always)]
+fn mask(is: bool) -> u32 {
+    (is as u32).wrapping_neg()
+}
+
+fn difference(a: &Lanes, from: usize, to: usize) -> u32 {
+    (f32::from_bits(a[to]) - f32::from_bits(a[from])).to_bits()
 }
