@@ -5,6 +5,8 @@ mod common;
 mod files;
 #[path = "export/host.rs"]
 mod host;
+#[path = "export/tint.rs"]
+mod tint;
 #[path = "export/validators.rs"]
 mod validators;
 
@@ -12,6 +14,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use common::{check_text, expect_compiled, expect_none, good_scenes, outcome, outcome_of};
+use naga::BinaryOperator;
+use naga::Expression::Binary;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use raytoy::Compiled;
 use raytoy::export::{Export, ExportError, Language, export};
@@ -45,6 +49,45 @@ fn each_scene_stands_alone_in_each_language() {
             }
         });
         wrong.into_iter().flatten().collect::<Vec<_>>()
+    }));
+}
+
+/// naga takes some text that Chrome refuses, such as `a < b & c` without brackets.
+#[test]
+fn chrome_takes_each_text() {
+    let texts = good_scenes().into_iter().flat_map(|name| {
+        let [baked, live] = [Mode::Baked, Mode::Live].map(|mode| expect_compiled(outcome(&name, mode)));
+        let alone = text_of(&baked, Language::Wgsl);
+        let plain = baked.plain().expect("naga took the whole").source.text();
+        let probed = baked.probed().expect("no scene has a name of the probe's").source.text();
+        let texts = [("export", alone), ("plain", plain), ("probe", probed), ("live", live.source.text())];
+        texts.map(|(what, text)| (format!("{name}, {what}"), text))
+    });
+    let (names, texts): (Vec<String>, Vec<String>) = texts.unzip();
+    let Some(objections) = tint::objections(&texts) else { return };
+    let refused = names.iter().zip(&objections).filter(|(_, objection)| !objection.is_empty());
+    expect_none(refused.map(|(name, objection)| format!("{name}: {objection}")));
+    let unclear = "fn f(a: i32, b: i32, c: bool) -> bool { return a < b & c; }".to_owned();
+    let told = tint::objections(&[unclear]).expect("it was there before").remove(0);
+    assert!(told.contains("requires parenthes"), "Tint is awake: {told}");
+}
+
+/// `%` of negative numbers is undefined there.
+#[test]
+fn what_ships_leaves_no_signed_remainder_to_glsl() {
+    expect_none(good_scenes().iter().filter_map(|name| {
+        let compiled = expect_compiled(outcome(name, Mode::Baked));
+        let module = compiled.module.naga();
+        let is_signed = |(handle, function): (naga::Handle<naga::Function>, &naga::Function)| {
+            let info = &compiled.module.info()[handle];
+            let signed = function.expressions.iter().any(|(expression, what)| {
+                let kind = info[expression].ty.inner_with(&module.types).scalar_kind();
+                let is_remainder = matches!(what, Binary { op: BinaryOperator::Modulo, .. });
+                is_remainder && kind == Some(naga::ScalarKind::Sint)
+            });
+            signed.then(|| function.name.clone().unwrap_or_default())
+        };
+        module.functions.iter().find_map(is_signed).map(|function| format!("{name}: `{function}` has one"))
     }));
 }
 

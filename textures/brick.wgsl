@@ -28,7 +28,7 @@ fn brick(
     }
 
     let course = floor(p.y);
-    let turn = (i32(course) % period + period) % period;
+    let turn = floorRemainder(i32(course), u32(period));
     let column = floor(along + f32(turn) / courses);
     let tone = tenBits(cellCorners(vec3f(column, course, 0.0)).near, 10u).x;
     let lit = clay * (1.0 + variation * tone * (1.0 - smoothstep(0.5, 2.0, width)));

@@ -31,7 +31,7 @@ fn herringboneBlock(p: vec2f, width: f32, aspect: i32, gap: f32) -> vec2f {
     // next row is the same, one square on.
     let cell = floor(p);
     let period = 2 * aspect;
-    let phase = ((i32(cell.x) - i32(cell.y)) % period + period) % period;
+    let phase = i32(floorRemainder(i32(cell.x) - i32(cell.y), u32(period)));
     let upright = phase >= aspect;
     let behind = f32(select(phase, period - 1 - phase, upright));
     let f = p - cell;

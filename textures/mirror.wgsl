@@ -10,7 +10,7 @@ fn mirror(at: Surface, size: vec3f) -> Surface {
     let room = max(0.5 * (size - at.footprint), vec3f(0.0));
     var moved = at;
     moved.position = select(clamp((abs(phase) - 0.5) * size, -room, room), at.position, endless);
-    moved.normal = select(at.normal, -at.normal, phase < vec3f(0.0) & !endless);
+    moved.normal = select(at.normal, -at.normal, (phase < vec3f(0.0)) & !endless);
     moved.uv = select(clamp((abs(flat) - 0.5) * size, -room, room).xy, at.uv, endless.xy);
     return moved;
 }
