@@ -27,9 +27,10 @@ struct Question {
     /// The head of the function for all bodies, and its last statement.
     head: &'static str,
     end: &'static str,
-    /// The same for a part of them, by its number, and how the whole calls it.
+    /// The head for a part of them, by its number.
     part_head: fn(usize) -> String,
-    part_call: fn(usize) -> String,
+    /// Asks so many parts, and ends the function.
+    ask_parts: fn(&mut Lines, usize),
     before: &'static [&'static str],
     part_before: &'static [&'static str],
     ask: fn(&mut Lines, usize, &WrittenBody),
@@ -41,7 +42,10 @@ const CLOSEST: Question = Question {
     head: "fn rayTraceScene(ray: Ray) -> Hit {",
     end: "    return hit;",
     part_head: |i| format!("fn rayTracePart{i}(ray: Ray, before: Hit) -> Hit {{"),
-    part_call: |i| format!("    hit = rayTracePart{i}(ray, hit);"),
+    ask_parts: |lines, parts| {
+        (0..parts).for_each(|i| lines.push(format!("    hit = rayTracePart{i}(ray, hit);")));
+        lines.push("    return hit;");
+    },
     before: &["    var hit = noHit(ray);"],
     part_before: &["    var hit = before;"],
     ask: |lines, indent, body| lines.statement(indent, "hit = ", &body.step, ";"),
@@ -53,7 +57,11 @@ const BLOCKED: Question = Question {
     head: "fn sceneBlocks(ray: Ray) -> bool {",
     end: "    return false;",
     part_head: |i| format!("fn partBlocks{i}(ray: Ray) -> bool {{"),
-    part_call: |i| format!("    if partBlocks{i}(ray) {{ return true; }}"),
+    // Returns would put each part into a branch of the one before.
+    ask_parts: |lines, parts| {
+        let calls: Vec<String> = (0..parts).map(|i| format!("partBlocks{i}(ray)")).collect();
+        lines.chain(4, "return ", "||", &calls, ";");
+    },
     before: &[],
     part_before: &[],
     ask: |lines, indent, body| {
@@ -118,11 +126,11 @@ fn asked(question: &Question, bodies: &[&WrittenBody]) -> Lines {
     lines.push(question.head);
     question.before.iter().for_each(|line| lines.push(*line));
     if parts.len() > 1 {
-        (0..parts.len()).for_each(|i| lines.push((question.part_call)(i)));
+        (question.ask_parts)(&mut lines, parts.len());
     } else {
         bodies.iter().for_each(|body| ask(question, body, &mut lines));
+        lines.push(question.end);
     }
-    lines.push(question.end);
     lines.push("}");
     for (i, part) in parts.iter().enumerate().filter(|_| parts.len() > 1) {
         lines.push("");

@@ -1,6 +1,7 @@
 //! Lights, one case each.
 
 use super::Writer;
+use super::answer::Answer;
 use super::code::{Code, Lines};
 use crate::ir::{Light, LightKind};
 use crate::library::Const;
@@ -12,14 +13,16 @@ impl Writer<'_> {
         lines.push("");
         lines.push("/// The light `index` as the world point `p` sees it.");
         lines.push("fn lightAt(index: u32, p: vec3f) -> Light {");
-        lines.push("    switch index {");
+        let answer = Answer::new(scene.lights.len(), "its_light", "Light");
+        let mut cases = Lines::default();
         for (index, light) in scene.lights.iter().enumerate() {
             let code = self.light(light);
-            lines.push(self.caption(8, &format!("lights[{index}]: "), &light.caption));
-            lines.statement(8, &format!("case {index}u: {{ return "), &code, "; }");
+            cases.push(self.caption(8, &format!("lights[{index}]: "), &light.caption));
+            cases.statement(8, &format!("case {index}u: {{ {}", answer.give()), &code, "; }");
         }
-        lines.push("        default: { return pointLight(p, p, 0.0, vec3f(0.0)); }");
-        lines.push("    }");
+        let none = answer.given("pointLight(p, p, 0.0, vec3f(0.0))");
+        cases.push(format!("        default: {{ {none} }}"));
+        lines.extend(answer.switch("index", cases));
         lines.push("}");
         lines
     }

@@ -1,6 +1,7 @@
 //! Materials and textures: what the surface of an object looks like.
 
 use super::Writer;
+use super::answer::Answer;
 use super::code::{Code, Lines};
 use super::values::Body;
 use crate::ir::{Material, Property, Value};
@@ -26,14 +27,16 @@ impl Writer<'_> {
         lines.push("");
         lines.push("/// The material of `object` at its surface point `at`.");
         lines.push("fn materialAt(object: u32, at: Surface) -> Material {");
-        lines.push("    switch object {");
+        let answer = Answer::new(self.scene.materials.len(), "its_material", "Material");
+        let mut cases = Lines::default();
         for (index, name) in self.material_names.iter().enumerate() {
-            if let Some(cases) = self.cases(|material| material == index) {
-                lines.statement(8, "case ", &cases, &format!(": {{ return {name}(at); }}"));
+            if let Some(objects) = self.cases(|material| material == index) {
+                let given = answer.given(&format!("{name}(at)"));
+                cases.statement(8, "case ", &objects, &format!(": {{ {given} }}"));
             }
         }
-        lines.push("        default: { return matte(vec3f(0.0)); }");
-        lines.push("    }");
+        cases.push(format!("        default: {{ {} }}", answer.given("matte(vec3f(0.0))")));
+        lines.extend(answer.switch("object", cases));
         lines.push("}");
         lines
     }
@@ -118,21 +121,22 @@ impl Writer<'_> {
         lines.push("");
         lines.push("/// The height of `object` over its surface at `at`, scene units.");
         lines.push("fn heightAt(object: u32, at: Surface) -> f32 {");
-        lines.push("    switch object {");
+        let answer = Answer::new(scene.materials.len(), "its_height", "f32");
+        let mut cases = Lines::default();
         for (index, material) in scene.materials.iter().enumerate() {
             let Some(bump) = &material.bump else { continue };
-            let Some(cases) = self.cases(|m| m == index) else { continue };
+            let Some(objects) = self.cases(|m| m == index) else { continue };
             let mut body = Body::default();
             let strength = self.numbers.constant(Const::F32(bump.strength));
             let height = self.value(&bump.height, "at", &mut body, 12);
-            lines.statement(8, "case ", &cases, ": {");
-            lines.extend(body.lines);
-            lines.statement(12, "let height = ", &height, ";");
-            lines.statement(12, "return height * ", &strength, ";");
-            lines.push("        }");
+            cases.statement(8, "case ", &objects, ": {");
+            cases.extend(body.lines);
+            cases.statement(12, "let height = ", &height, ";");
+            cases.statement(12, &format!("{}height * ", answer.give()), &strength, ";");
+            cases.push("        }");
         }
-        lines.push("        default: { return 0.0; }");
-        lines.push("    }");
+        cases.push(format!("        default: {{ {} }}", answer.given("0.0")));
+        lines.extend(answer.switch("object", cases));
         lines.push("}");
         lines
     }

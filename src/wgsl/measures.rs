@@ -1,6 +1,7 @@
 //! The number that the debug view `value` shows, as a function of the scene's own section.
 
 use super::Writer;
+use super::answer::Answer;
 use super::code::{Code, Lines};
 use super::values::Body;
 use crate::ir::{Measure, Property, Value};
@@ -35,24 +36,23 @@ impl Writer<'_> {
     /// A case for each material.
     fn patterns(&mut self) -> Lines {
         let scene = self.scene;
-        let mut lines = Lines::default();
-        lines.push("    switch hit.object {");
+        let answer = Answer::new(scene.materials.len(), "its_number", "f32");
+        let mut cases = Lines::default();
         for (index, material) in scene.materials.iter().enumerate() {
-            let Some(cases) = self.cases(|m| m == index) else { continue };
+            let Some(objects) = self.cases(|m| m == index) else { continue };
             let color = material.properties.iter().find(|(property, _)| *property == Property::Color);
             let mut body = Body::default();
             let number = match color {
                 Some((_, color)) => self.number(color, "at", &mut body, 12),
                 None => self.numbers.constant(Const::F32(0.8)),
             };
-            lines.statement(8, "case ", &cases, ": {");
-            lines.extend(body.lines);
-            lines.statement(12, "return ", &number, ";");
-            lines.push("        }");
+            cases.statement(8, "case ", &objects, ": {");
+            cases.extend(body.lines);
+            cases.statement(12, &answer.give(), &number, ";");
+            cases.push("        }");
         }
-        lines.push("        default: { return 0.0; }");
-        lines.push("    }");
-        lines
+        cases.push(format!("        default: {{ {} }}", answer.given("0.0")));
+        answer.switch("hit.object", cases)
     }
 
     /// What `value` is made of, before it is a color.

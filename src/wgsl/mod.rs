@@ -3,6 +3,7 @@
 //! In: [`ir::Scene`]. Out: a [`Source`], the same bytes every time. Nothing here can fail.
 
 mod alone;
+mod answer;
 mod bodies;
 mod code;
 mod combinations;

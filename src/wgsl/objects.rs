@@ -1,6 +1,7 @@
 //! Objects: their crossings as calls, and `surfaceAt`.
 
 use super::Writer;
+use super::answer::Answer;
 use super::code::{Code, Lines};
 use crate::ir::{Object, Space, Value};
 use crate::library::Const;
@@ -58,11 +59,14 @@ impl Writer<'_> {
         lines.push("/// The surface of `object` at the world point `p`.");
         lines.push("fn surfaceAt(object: u32, p: vec3f) -> Placed {");
         if chunks > 1 {
-            for i in 1..chunks {
-                let below = i * OBJECTS_PER_FUNCTION;
-                lines.push(format!("    if object < {below}u {{ return surfacePart{}(object, p); }}", i - 1));
+            let answer = Answer::new(written.len(), "its_surface", "Placed");
+            let mut cases = Lines::default();
+            for i in 0..chunks {
+                let case = if i + 1 < chunks { format!("case {i}u") } else { "default".into() };
+                let given = answer.given(&format!("surfacePart{i}(object, p)"));
+                cases.push(format!("        {case}: {{ {given} }}"));
             }
-            lines.push(format!("    return surfacePart{}(object, p);", chunks - 1));
+            lines.extend(answer.switch(&format!("object / {OBJECTS_PER_FUNCTION}u"), cases));
             lines.push("}");
             for (i, part) in written.chunks(OBJECTS_PER_FUNCTION).enumerate() {
                 lines.push("");
@@ -78,8 +82,8 @@ impl Writer<'_> {
     }
 
     fn surface_switch(&self, first: usize, written: &[WrittenObject]) -> Lines {
+        let answer = Answer::new(written.len(), "its_surface", "Placed");
         let mut lines = Lines::default();
-        lines.push("    switch object {");
         for (i, written) in written.iter().enumerate() {
             let index = first + i;
             let inverted = self.scene.objects[index].inverted;
@@ -96,13 +100,13 @@ impl Writer<'_> {
                     Code::call("placedFrom", [Code::atom("space"), on_shape(local), Code::atom("p")])
                 }
             };
-            lines.statement(12, "return ", &placed, ";");
+            lines.statement(12, &answer.give(), &placed, ";");
             lines.push("        }");
         }
         lines.push("        default: {");
-        lines.push("            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);");
+        let nowhere = answer.given("placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p)");
+        lines.push(format!("            {nowhere}"));
         lines.push("        }");
-        lines.push("    }");
-        lines
+        answer.switch("object", lines)
     }
 }

@@ -98,90 +98,94 @@ fn sceneBlocks(ray: Ray) -> bool {
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    var its_surface: Placed;
     switch object {
         case OBJECT_SPHERE_0: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(0.0), 1.0), p);
         }
         case OBJECT_SPHERE_1: {
-            return placed(sphereSurface(p, vec3f(2.0, 0.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(2.0, 0.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_2: {
-            return placed(sphereSurface(p, vec3f(4.0, 0.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(4.0, 0.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_3: {
-            return placed(sphereSurface(p, vec3f(6.0, 0.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(6.0, 0.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_4: {
-            return placed(sphereSurface(p, vec3f(8.0, 0.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(8.0, 0.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_5: {
-            return placed(sphereSurface(p, vec3f(0.0, 2.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(0.0, 2.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_6: {
-            return placed(sphereSurface(p, vec3f(2.0, 2.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(2.0, 2.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_7: {
-            return placed(sphereSurface(p, vec3f(4.0, 2.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(4.0, 2.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_8: {
-            return placed(sphereSurface(p, vec3f(6.0, 2.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(6.0, 2.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_9: {
-            return placed(sphereSurface(p, vec3f(8.0, 2.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(8.0, 2.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_10: {
-            return placed(sphereSurface(p, vec3f(0.0, 4.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(0.0, 4.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_11: {
-            return placed(sphereSurface(p, vec3f(2.0, 4.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(2.0, 4.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_12: {
-            return placed(sphereSurface(p, vec3f(4.0, 4.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(4.0, 4.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_13: {
-            return placed(sphereSurface(p, vec3f(6.0, 4.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(6.0, 4.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_14: {
-            return placed(sphereSurface(p, vec3f(8.0, 4.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(8.0, 4.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_15: {
-            return placed(sphereSurface(p, vec3f(0.0, 6.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(0.0, 6.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_16: {
-            return placed(sphereSurface(p, vec3f(2.0, 6.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(2.0, 6.0, 0.0), 1.0), p);
         }
         case OBJECT_SPHERE_17: {
-            return placed(sphereSurface(p, vec3f(4.0, 6.0, 0.0), 1.0), p);
+            its_surface = placed(sphereSurface(p, vec3f(4.0, 6.0, 0.0), 1.0), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
+            its_surface = placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
+    return its_surface;
 }
 
 /// The material of `object` at its surface point `at`.
 fn materialAt(object: u32, at: Surface) -> Material {
+    var its_material: Material;
     switch object {
-        case OBJECT_SPHERE_0: { return sphere0Material(at); }
-        case OBJECT_SPHERE_1: { return sphere1Material(at); }
-        case OBJECT_SPHERE_2: { return sphere2Material(at); }
-        case OBJECT_SPHERE_3: { return sphere3Material(at); }
-        case OBJECT_SPHERE_4: { return sphere4Material(at); }
-        case OBJECT_SPHERE_5: { return sphere5Material(at); }
-        case OBJECT_SPHERE_6: { return sphere6Material(at); }
-        case OBJECT_SPHERE_7: { return sphere7Material(at); }
-        case OBJECT_SPHERE_8: { return sphere8Material(at); }
-        case OBJECT_SPHERE_9: { return sphere9Material(at); }
-        case OBJECT_SPHERE_10: { return sphere10Material(at); }
-        case OBJECT_SPHERE_11: { return sphere11Material(at); }
-        case OBJECT_SPHERE_12: { return sphere12Material(at); }
-        case OBJECT_SPHERE_13: { return sphere13Material(at); }
-        case OBJECT_SPHERE_14: { return sphere14Material(at); }
-        case OBJECT_SPHERE_15: { return sphere15Material(at); }
-        case OBJECT_SPHERE_16: { return sphere16Material(at); }
-        case OBJECT_SPHERE_17: { return sphere17Material(at); }
-        default: { return matte(vec3f(0.0)); }
+        case OBJECT_SPHERE_0: { its_material = sphere0Material(at); }
+        case OBJECT_SPHERE_1: { its_material = sphere1Material(at); }
+        case OBJECT_SPHERE_2: { its_material = sphere2Material(at); }
+        case OBJECT_SPHERE_3: { its_material = sphere3Material(at); }
+        case OBJECT_SPHERE_4: { its_material = sphere4Material(at); }
+        case OBJECT_SPHERE_5: { its_material = sphere5Material(at); }
+        case OBJECT_SPHERE_6: { its_material = sphere6Material(at); }
+        case OBJECT_SPHERE_7: { its_material = sphere7Material(at); }
+        case OBJECT_SPHERE_8: { its_material = sphere8Material(at); }
+        case OBJECT_SPHERE_9: { its_material = sphere9Material(at); }
+        case OBJECT_SPHERE_10: { its_material = sphere10Material(at); }
+        case OBJECT_SPHERE_11: { its_material = sphere11Material(at); }
+        case OBJECT_SPHERE_12: { its_material = sphere12Material(at); }
+        case OBJECT_SPHERE_13: { its_material = sphere13Material(at); }
+        case OBJECT_SPHERE_14: { its_material = sphere14Material(at); }
+        case OBJECT_SPHERE_15: { its_material = sphere15Material(at); }
+        case OBJECT_SPHERE_16: { its_material = sphere16Material(at); }
+        case OBJECT_SPHERE_17: { its_material = sphere17Material(at); }
+        default: { its_material = matte(vec3f(0.0)); }
     }
+    return its_material;
 }
 
 fn sphere0Material(at: Surface) -> Material {

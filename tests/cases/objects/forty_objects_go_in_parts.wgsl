@@ -153,9 +153,7 @@ fn rayTracePart1(ray: Ray, before: Hit) -> Hit {
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if partBlocks0(ray) { return true; }
-    if partBlocks1(ray) { return true; }
-    return false;
+    return partBlocks0(ray) || partBlocks1(ray);
 }
 
 fn partBlocks0(ray: Ray) -> bool {
@@ -208,112 +206,118 @@ fn partBlocks1(ray: Ray) -> bool {
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
-    if object < 32u { return surfacePart0(object, p); }
-    return surfacePart1(object, p);
+    var its_surface: Placed;
+    switch object / 32u {
+        case 0u: { its_surface = surfacePart0(object, p); }
+        default: { its_surface = surfacePart1(object, p); }
+    }
+    return its_surface;
 }
 
 fn surfacePart0(object: u32, p: vec3f) -> Placed {
+    var its_surface: Placed;
     switch object {
         case OBJECT_SPHERE_0: {
-            return placed(sphereSurface(p, vec3f(0.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(0.0), 0.4), p);
         }
         case OBJECT_SPHERE_1: {
-            return placed(sphereSurface(p, vec3f(1.0, 0.0, 0.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(1.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_2: {
-            return placed(sphereSurface(p, vec3f(2.0, 0.0, 0.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(2.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_3: {
-            return placed(sphereSurface(p, vec3f(3.0, 0.0, 0.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(3.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_4: {
-            return placed(sphereSurface(p, vec3f(4.0, 0.0, 0.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(4.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_5: {
-            return placed(sphereSurface(p, vec3f(5.0, 0.0, 0.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(5.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_6: {
-            return placed(sphereSurface(p, vec3f(6.0, 0.0, 0.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(6.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_7: {
-            return placed(sphereSurface(p, vec3f(7.0, 0.0, 0.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(7.0, 0.0, 0.0), 0.4), p);
         }
         case OBJECT_SPHERE_8: {
-            return placed(sphereSurface(p, vec3f(0.0, 0.0, 1.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(0.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_9: {
-            return placed(sphereSurface(p, vec3f(1.0, 0.0, 1.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(1.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_10: {
-            return placed(sphereSurface(p, vec3f(2.0, 0.0, 1.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(2.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_11: {
-            return placed(sphereSurface(p, vec3f(3.0, 0.0, 1.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(3.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_12: {
-            return placed(sphereSurface(p, vec3f(4.0, 0.0, 1.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(4.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_13: {
-            return placed(sphereSurface(p, vec3f(5.0, 0.0, 1.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(5.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_14: {
-            return placed(sphereSurface(p, vec3f(6.0, 0.0, 1.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(6.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_15: {
-            return placed(sphereSurface(p, vec3f(7.0, 0.0, 1.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(7.0, 0.0, 1.0), 0.4), p);
         }
         case OBJECT_SPHERE_16: {
-            return placed(sphereSurface(p, vec3f(0.0, 0.0, 2.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(0.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_17: {
-            return placed(sphereSurface(p, vec3f(1.0, 0.0, 2.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(1.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_18: {
-            return placed(sphereSurface(p, vec3f(2.0, 0.0, 2.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(2.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_19: {
-            return placed(sphereSurface(p, vec3f(3.0, 0.0, 2.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(3.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_20: {
-            return placed(sphereSurface(p, vec3f(4.0, 0.0, 2.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(4.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_21: {
-            return placed(sphereSurface(p, vec3f(5.0, 0.0, 2.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(5.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_22: {
-            return placed(sphereSurface(p, vec3f(6.0, 0.0, 2.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(6.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_23: {
-            return placed(sphereSurface(p, vec3f(7.0, 0.0, 2.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(7.0, 0.0, 2.0), 0.4), p);
         }
         case OBJECT_SPHERE_24: {
-            return placed(sphereSurface(p, vec3f(0.0, 0.0, 3.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(0.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_25: {
-            return placed(sphereSurface(p, vec3f(1.0, 0.0, 3.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(1.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_26: {
-            return placed(sphereSurface(p, vec3f(2.0, 0.0, 3.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(2.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_27: {
-            return placed(sphereSurface(p, vec3f(3.0, 0.0, 3.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(3.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_28: {
-            return placed(sphereSurface(p, vec3f(4.0, 0.0, 3.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(4.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_29: {
-            return placed(sphereSurface(p, vec3f(5.0, 0.0, 3.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(5.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_30: {
-            return placed(sphereSurface(p, vec3f(6.0, 0.0, 3.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(6.0, 0.0, 3.0), 0.4), p);
         }
         case OBJECT_SPHERE_31: {
-            return placed(sphereSurface(p, vec3f(7.0, 0.0, 3.0), 0.4), p);
+            its_surface = placed(sphereSurface(p, vec3f(7.0, 0.0, 3.0), 0.4), p);
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
+            its_surface = placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
+    return its_surface;
 }
 
 fn surfacePart1(object: u32, p: vec3f) -> Placed {

@@ -476,9 +476,10 @@ fn lensSolid(ray: Ray) -> Crossing {
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
+    var its_surface: Placed;
     switch object {
         case OBJECT_TABLE: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
+            its_surface = placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
         }
         case OBJECT_CUBE_ROUNDEDBOX_0: {
             let space = Space(
@@ -486,7 +487,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, -1.0),
                 vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 roundedBoxSurface(pointInto(space, p), vec3f(-1.0), vec3f(1.0), 0.12),
                 p,
@@ -498,7 +499,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, -1.0),
                 vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
             );
-            return placedFrom(space, sphereSurface(pointInto(space, p), vec3f(0.0), 1.5), p);
+            its_surface = placedFrom(space, sphereSurface(pointInto(space, p), vec3f(0.0), 1.5), p);
         }
         case OBJECT_ONE: {
             let space = Space(
@@ -506,7 +507,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, -1.0),
                 vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 inverted(sphereSurface(pointInto(space, p), vec3f(0.0, 1.12, 0.0), 0.32)),
                 p,
@@ -518,7 +519,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, -1.0),
                 vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 inverted(sphereSurface(pointInto(space, p), vec3f(-0.45, 0.45, 1.1), 0.24)),
                 p,
@@ -530,7 +531,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, -1.0),
                 vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 inverted(sphereSurface(pointInto(space, p), vec3f(0.45, -0.45, 1.1), 0.24)),
                 p,
@@ -542,7 +543,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, -1.0),
                 vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 inverted(sphereSurface(pointInto(space, p), vec3f(1.1, 0.5, -0.5), 0.24)),
                 p,
@@ -554,7 +555,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, -1.0),
                 vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 inverted(sphereSurface(pointInto(space, p), vec3f(1.1, 0.0, 0.0), 0.24)),
                 p,
@@ -566,7 +567,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, -1.0),
                 vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 inverted(sphereSurface(pointInto(space, p), vec3f(1.1, -0.5, 0.5), 0.24)),
                 p,
@@ -578,7 +579,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, 0.0),
                 vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 roundedCylinderSurface(
                     pointInto(space, p),
@@ -596,7 +597,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, 0.0),
                 vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 inverted(
                     roundedCylinderSurface(
@@ -616,7 +617,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, 0.0),
                 vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 torusSurface(
                     pointInto(space, p),
@@ -634,7 +635,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, 0.0),
                 vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 inverted(
                     cylinderSurface(
@@ -653,7 +654,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, 0.0),
                 vec4f(0.25881904, 0.0, 0.9659258, -1.7326607),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 hexPrismSurface(
                     pointInto(space, p),
@@ -671,7 +672,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, 0.0),
                 vec4f(0.25881904, 0.0, 0.9659258, -1.7326607),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 sphereSurface(pointInto(space, p), vec3f(0.0, 0.3, 0.0), 0.82),
                 p,
@@ -683,7 +684,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, 0.0),
                 vec4f(0.25881904, 0.0, 0.9659258, -1.7326607),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 inverted(
                     cylinderSurface(
@@ -702,7 +703,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, -0.95),
                 vec4f(0.7880108, 0.0, 0.6156615, -2.4182248),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 sphereSurface(pointInto(space, p), vec3f(0.0, 0.0, 1.1), 1.45),
                 p,
@@ -714,16 +715,17 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
                 vec4f(0.0, 1.0, 0.0, -0.95),
                 vec4f(0.7880108, 0.0, 0.6156615, -2.4182248),
             );
-            return placedFrom(
+            its_surface = placedFrom(
                 space,
                 sphereSurface(pointInto(space, p), vec3f(0.0, 0.0, -1.1), 1.45),
                 p,
             );
         }
         default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
+            its_surface = placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
         }
     }
+    return its_surface;
 }
 
 /// The material of `object` at its surface point `at`.
