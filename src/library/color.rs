@@ -2,15 +2,33 @@
 
 use glam::Vec3;
 
-/// `"#8c3b2a"`, `"#fff"` or a CSS name, given in sRGB: linear RGB. None for any other text.
-pub fn parse_color(text: &str) -> Option<Vec3> {
+/// A color that a text names.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NamedColor {
+    /// Linear RGB.
+    pub color: Vec3,
+    /// How much of it there is, 0 to 1.
+    pub alpha: f32,
+}
+
+/// What CSS takes as a color: `"#8c3b2a"`, `"#fff"`, `"tomato"`, `"rgb(255 136 0)"`, `"hsl(32 100% 50%)"`,
+/// given in sRGB. None for any other text.
+pub fn parse_css(text: &str) -> Option<NamedColor> {
     let is_plain = |c: char| c.is_ascii_alphabetic();
-    if !text.starts_with('#') && !text.chars().all(is_plain) {
+    let is_function = text.ends_with(')') && text.starts_with(is_plain);
+    if !text.starts_with('#') && !is_function && !text.chars().all(is_plain) {
         return None;
     }
-    let color = csscolorparser::parse(text).ok()?;
-    let [r, g, b, _] = color.to_array().map(|c| linear(f64::from(c)));
-    Some(Vec3::new(r, g, b))
+    let [r, g, b, alpha] = csscolorparser::parse(text).ok()?.to_array();
+    // `lab()` and `oklch()` name colors, too, that no screen shows.
+    let [r, g, b] = [r, g, b].map(|c| linear(f64::from(c).clamp(0.0, 1.0)));
+    let color = Vec3::new(r, g, b);
+    (color.is_finite() && alpha.is_finite()).then_some(NamedColor { color, alpha })
+}
+
+/// The same in linear RGB, whatever its alpha.
+pub fn parse_color(text: &str) -> Option<Vec3> {
+    parse_css(text).map(|named| named.color)
 }
 
 /// The inverse of the sRGB transfer curve (IEC 61966-2-1).

@@ -18,7 +18,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
-pub use color::parse_color;
+pub use color::{parse_color, parse_css};
 pub use function::{Function, Kind, Parameter, Traits, name_of};
 pub use image::{Image, Level};
 pub use model::{Corner, Model};

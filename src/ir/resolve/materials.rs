@@ -1,7 +1,7 @@
 //! Materials, named and inline.
 
-use super::Resolver;
 use super::reader::Fields;
+use super::{Resolver, Usage};
 use crate::diagnostic::Diagnostic;
 use crate::ir::fields::{BUMP, MATERIAL};
 use crate::ir::{Bump, Material, Property, Value};
@@ -61,7 +61,8 @@ impl<'a> Resolver<'a> {
         }
         let mut fields = Fields::of(self, written, "a material", &[MATERIAL]);
         let mut properties = vec![];
-        properties.extend(fields.color(self, "color").map(|color| (Property::Color, color)));
+        let color = self.wanted_for(Usage::Surface, |resolver| fields.color(resolver, "color"));
+        properties.extend(color.map(|color| (Property::Color, color)));
         for (name, property) in [
             ("specular", Property::Specular),
             ("shininess", Property::Shininess),

@@ -1,5 +1,7 @@
 //! From what the author wrote to a scene without open questions: the only file that refuses a scene.
 
+mod colors;
+mod declared;
 mod files;
 mod forms;
 mod lights;
@@ -9,6 +11,7 @@ mod options;
 mod placement;
 mod reader;
 mod textures;
+mod usage;
 mod values;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,6 +19,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub use self::objects::default_name;
 pub use self::placement::placed;
 use self::reader::Fields;
+use self::usage::Usage;
 use super::{Camera, Material, Scene, Texture, Value, fields};
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::library::{Const, Image, Library, Model};
@@ -56,9 +60,17 @@ struct Resolver<'a> {
     pending: Vec<String>,
     /// Names of the textures that are made of themselves, and reported.
     circular: BTreeSet<String>,
+    /// What the value is wanted for that is being resolved.
+    usage: Usage,
+    /// Whether it would be another one, or a warning, for another use.
+    depends_on_usage: bool,
     images: Vec<Image>,
     models: Vec<Model>,
     textures: Vec<Texture>,
+    /// Those of them that depend on what they are wanted for.
+    usage_dependent: BTreeSet<usize>,
+    /// What each of these is for other uses than light.
+    variants: BTreeMap<(usize, Usage), usize>,
     materials: Vec<Material>,
     /// Indices of the materials that have a name.
     named_materials: BTreeMap<String, usize>,
@@ -74,9 +86,13 @@ impl<'a> Resolver<'a> {
             declared: BTreeMap::new(),
             pending: vec![],
             circular: BTreeSet::new(),
+            usage: Usage::Light,
+            depends_on_usage: false,
             images: vec![],
             models: vec![],
             textures: vec![],
+            usage_dependent: BTreeSet::new(),
+            variants: BTreeMap::new(),
             materials: vec![],
             named_materials: BTreeMap::new(),
         }

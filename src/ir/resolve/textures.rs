@@ -2,35 +2,16 @@
 
 use std::sync::Arc;
 
-use super::Resolver;
+use super::colors::COLOR_FORMS;
 use super::reader::Fields;
+use super::{Resolver, Usage};
 use crate::diagnostic::Diagnostic;
 use crate::ir::fields::{EVERY_TEXTURE, FORMS, OPERATIONS};
-use crate::ir::{Call, Texture, Value};
+use crate::ir::{Call, Value};
 use crate::library::{Const, Family, Function, Kind, Parameter, Type};
 use crate::scene::{self, Kind as Written, Record};
 
 impl<'a> Resolver<'a> {
-    /// What `textures:` declares, all of it, used or not.
-    pub fn resolve_textures(&mut self, written: Option<&'a scene::Value>) {
-        let Some(written) = written else { return };
-        let Written::Map(entries) = &written.kind else {
-            self.mismatch(written, "a map `{ \"name\": Texture() }`");
-            return;
-        };
-        for (i, entry) in entries.iter().enumerate() {
-            if let Some(first) = entries[..i].iter().find(|e| e.name.text == entry.name.text) {
-                let message = format!("texture \"{}\" is declared twice", entry.name.text);
-                let (here, there) = (self.place(&entry.name.span), self.place(&first.name.span));
-                self.push(Diagnostic::error(message).at(here, "again").at(there, "first"));
-            }
-            self.declared.insert(&entry.name.text, &entry.value);
-        }
-        for entry in entries {
-            self.declared_texture(&entry.name.text, &entry.name.span);
-        }
-    }
-
     /// A color, or what becomes one.
     pub fn color(&mut self, value: &scene::Value) -> Value {
         self.varying(value, Type::Vec3, true, None)
@@ -48,6 +29,17 @@ impl<'a> Resolver<'a> {
         is_color: bool,
         range: Option<(f32, f32)>,
     ) -> Value {
+        let usage = if is_color { self.usage } else { Usage::Number };
+        self.wanted_for(usage, |resolver| resolver.value(value, want, is_color, range))
+    }
+
+    fn value(
+        &mut self,
+        value: &scene::Value,
+        want: Type,
+        is_color: bool,
+        range: Option<(f32, f32)>,
+    ) -> Value {
         let stand_in = Const::from_numbers(want, &vec![range.map_or(0.0, |r| r.0); want.size()]);
         let stand_in = Value::Const(stand_in.expect("as many numbers as the type has"));
         match &value.kind {
@@ -59,16 +51,14 @@ impl<'a> Resolver<'a> {
                 let texture = self.declared_texture(name, &value.span);
                 texture.map_or(stand_in, |index| self.fit(Value::Texture(index), want))
             }
-            Written::Text(text) if is_color || want == Type::F32 => match crate::library::parse_color(text) {
+            Written::Text(text) if is_color || want == Type::F32 => match self.plain_color(value) {
                 Some(color) => self.fit(Value::Const(Const::Vec3(color)), want),
                 None => {
                     let declared: Vec<&str> = self.declared.keys().copied().collect();
                     let message = format!("\"{text}\" is neither a color nor a declared texture");
                     let place = self.place(&value.span);
                     let mut problem = Diagnostic::error(message).at(place, "").suggest(text, declared);
-                    problem
-                        .help
-                        .push("colors are \"#rrggbb\", \"#rgb\" or a CSS name such as \"tomato\"".into());
+                    problem.help.push(COLOR_FORMS.into());
                     self.push(problem);
                     stand_in
                 }
@@ -107,7 +97,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn type_of(&self, value: &Value) -> Type {
+    pub fn type_of(&self, value: &Value) -> Type {
         match value {
             Value::Const(constant) => constant.ty(),
             Value::Call(call) if call.function.kind == Kind::Pattern => Type::F32,
@@ -117,40 +107,8 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// The index of the texture declared as `name`, which `span` asks for.
-    fn declared_texture(&mut self, name: &str, span: &std::ops::Range<usize>) -> Option<usize> {
-        if let Some(known) = self.textures.iter().position(|t| t.name == name) {
-            return Some(known);
-        }
-        if let Some(from) = self.pending.iter().position(|p| p == name) {
-            if self.circular.contains(name) {
-                return None;
-            }
-            self.circular.extend(self.pending[from..].iter().cloned());
-            let circle: Vec<String> =
-                self.pending[from..].iter().chain([&name.to_owned()]).cloned().collect();
-            let message = format!("texture \"{name}\" is made of itself");
-            self.error(span, message).help.push(format!("the circle is {}", circle.join(" → ")));
-            return None;
-        }
-        let written = *self.declared.get(name)?;
-        self.pending.push(name.to_owned());
-        let value = match &written.kind {
-            Written::Record(record) if record.name.is_some() => self.texture(written, record),
-            // A texture may be another one's second name, or a color to be used in many places.
-            Written::Text(other) if self.declared.contains_key(other.as_str()) => {
-                self.declared_texture(other, &written.span).map(Value::Texture)
-            }
-            _ => Some(self.color(written)),
-        };
-        self.pending.pop();
-        let value = value?;
-        self.textures.push(Texture { name: name.to_owned(), ty: self.type_of(&value), value });
-        Some(self.textures.len() - 1)
-    }
-
     /// What `Name(…)` computes.
-    fn texture(&mut self, value: &scene::Value, record: &Record) -> Option<Value> {
+    pub fn texture(&mut self, value: &scene::Value, record: &Record) -> Option<Value> {
         let name = record.name.as_ref().expect("the caller has looked");
         if let Some(form) = FORMS.iter().find(|form| form.name == name.text) {
             return self.form(form, value);

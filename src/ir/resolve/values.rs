@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::Resolver;
-use crate::library::{Const, Parameter, Type, parse_color};
+use crate::library::{Const, Parameter, Type};
 use crate::scene::{Kind, Value};
 
 /// Beyond this f32 loses the digits that a picture needs.
@@ -38,27 +38,6 @@ impl Resolver<'_> {
     /// A vector of three numbers.
     pub fn vector(&mut self, value: &Value) -> Option<Vec3> {
         self.numbers(value, 3, None).map(|n| Vec3::from_slice(&n))
-    }
-
-    /// A color that is the same everywhere.
-    pub fn constant_color(&mut self, value: &Value) -> Vec3 {
-        self.plain_color(value).unwrap_or_else(|| {
-            self.mismatch(value, "a color");
-            Vec3::ZERO
-        })
-    }
-
-    /// A color given as a number, a vector or a string; None for anything else.
-    pub fn plain_color(&mut self, value: &Value) -> Option<Vec3> {
-        match &value.kind {
-            Kind::Number(_) => Some(Vec3::splat(self.number(value, Some((0.0, 1e6))).unwrap_or(0.0))),
-            Kind::Tuple(_) => {
-                let rgb = self.numbers(value, 3, Some((0.0, 1e6)));
-                Some(rgb.map_or(Vec3::ZERO, |n| Vec3::from_slice(&n)))
-            }
-            Kind::Text(text) => parse_color(text),
-            _ => None,
-        }
     }
 
     /// The value of a parameter that cannot vary over a surface.
@@ -110,7 +89,7 @@ impl Resolver<'_> {
     }
 
     /// `size` numbers: one by itself, more as a vector.
-    fn numbers(&mut self, value: &Value, size: usize, range: Option<(f32, f32)>) -> Option<Vec<f32>> {
+    pub fn numbers(&mut self, value: &Value, size: usize, range: Option<(f32, f32)>) -> Option<Vec<f32>> {
         if size == 1 {
             return self.number(value, range).map(|n| vec![n]);
         }
