@@ -99,8 +99,8 @@ impl Writer<'_> {
                 };
                 Control::Number { value, default: Some(1.0), range: None, is_whole: false }
             }
-            (Wants::Color { default, .. }, kind) => match kind {
-                None => Control::Color { value: *default, default: *default, style: ColorStyle::Grey },
+            (Wants::Color { default, style, .. }, kind) => match kind {
+                None => Control::Color { value: *default, default: *default, style: *style },
                 Some(kind) => match color(kind) {
                     Some((value, style)) => Control::Color { value: Some(value), default: *default, style },
                     None => unclear(),
@@ -144,7 +144,7 @@ impl Writer<'_> {
     /// The place and the color of a ramp's stop.
     fn stop(&self, item: &Value, path: &Path) -> Vec<Field> {
         let place = Wants::Number { default: None, range: None, is_whole: false, varies: false };
-        let color = Wants::Color { default: None, varies: true };
+        let color = Wants::Color { default: None, style: ColorStyle::Text, varies: true };
         let slots = [("place", "from low to high", place), ("color", "a color or a texture", color)];
         let fields = slots.into_iter().enumerate().map(|(i, (label, doc, wants))| {
             let path = path.item(i);

@@ -157,14 +157,14 @@ pub enum Control {
     },
 }
 
-/// How the author wrote a color.
+/// How the author wrote a color; of one that is left out, how its default is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColorStyle {
     /// `"#8c3b2a"` or a CSS name: sRGB.
     Text,
     /// `(0.5, 0.1, 0.0)`: linear RGB.
     Linear,
-    /// `0.5`, linear, or left out.
+    /// `0.5`, linear.
     Grey,
 }
 

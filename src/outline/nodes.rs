@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::slot::{Slot, Wants};
-use super::{Node, NodeKind, Writer};
+use super::{ColorStyle, Node, NodeKind, Writer};
 use crate::ir::fields::{CAMERA, EVERY_LIGHT, LIGHTS, MATERIAL, RENDER, SCENE};
 use crate::scene::{self, Kind, Path, Record, Value};
 
@@ -72,7 +72,7 @@ impl Writer<'_> {
             node.fields = match kind {
                 NodeKind::Material => self.table(MATERIAL, Some(value), &path),
                 _ => {
-                    let wants = Wants::Color { default: None, varies: true };
+                    let wants = Wants::Color { default: None, style: ColorStyle::Text, varies: true };
                     let slot = Slot {
                         label: &name.text,
                         doc: "",

@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use super::ColorStyle;
 use crate::ir::fields::{Choice, Field, Number, Takes};
 use crate::library::{Const, Parameter, Type};
 
@@ -33,6 +34,8 @@ pub enum Wants {
     Scale,
     Color {
         default: Option<Vec3>,
+        /// How the default is given.
+        style: ColorStyle,
         varies: bool,
     },
     Flag {
@@ -60,7 +63,7 @@ impl Slot<'static> {
             Takes::Scale => Wants::Scale,
             Takes::Color { default, varies } => {
                 let default = Some(Vec3::splat(default)).filter(|_| !field.is_required);
-                Wants::Color { default, varies }
+                Wants::Color { default, style: ColorStyle::Grey, varies }
             }
             Takes::Flag { default } => Wants::Flag { default: Some(default) },
             Takes::Choice(choices) => Wants::Choice(choices),
@@ -96,7 +99,8 @@ impl<'a> Slot<'a> {
                 Wants::Number { default: numbers.map(|n| n[0]), range, is_whole, varies }
             }
             Type::Vec3 if parameter.is_color => {
-                Wants::Color { default: numbers.map(|n| Vec3::from_slice(&n)), varies }
+                let default = numbers.map(|n| Vec3::from_slice(&n));
+                Wants::Color { default, style: ColorStyle::Text, varies }
             }
             Type::Vec2 | Type::Vec3 | Type::Vec4 => {
                 Wants::Vector { size: ty.size(), default: numbers, range, varies }

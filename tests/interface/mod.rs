@@ -11,6 +11,7 @@ mod names;
 mod shader;
 mod studio;
 mod tree;
+mod untouched;
 mod values;
 mod window;
 

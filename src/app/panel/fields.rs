@@ -5,10 +5,11 @@ use glam::Vec3;
 
 use super::{Pending, widgets};
 use crate::edit::{Edit, NewValue};
-use crate::outline::{Control, Field};
+use crate::outline::{ColorStyle, Control, Field};
 
 /// Points, of the names before the widgets.
 const LABELS: f32 = 104.0;
+
 /// Lays out fields and gathers what is done to them.
 pub struct Fields<'a> {
     pub edits: &'a mut Vec<Edit>,
@@ -118,7 +119,10 @@ impl Fields<'_> {
                 let known = self.pending.color(&field.path).or(*value).or(*default);
                 let mut color = known.unwrap_or(Vec3::splat(0.8));
                 if widgets::color(ui, &field.label, &mut color, *style) {
-                    self.set(field, NewValue::Color(color));
+                    // Three numbers are rounded to what a person would type.
+                    let is_text = *style == ColorStyle::Text || field.span.is_none();
+                    let round = |color: Vec3| (color * 1e4).round() / 1e4;
+                    self.set(field, NewValue::Color(if is_text { color } else { round(color) }));
                 }
             }
             Control::Flag { value, .. } => {

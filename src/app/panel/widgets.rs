@@ -1,9 +1,12 @@
 //! A number, a vector, a color and a text, as widgets that say whether the hand has changed them.
 
 use egui::accesskit::Role;
-use egui::{Color32, Response, RichText, Slider, Ui, UiBuilder};
+use egui::color_picker::{Alpha, color_edit_button_hsva};
+use egui::ecolor::Hsva;
+use egui::{Color32, Key, Response, RichText, Slider, SliderClamping, Ui, UiBuilder};
 use glam::Vec3;
 
+use crate::library::parse_color;
 use crate::outline::ColorStyle;
 use crate::scene::Path;
 
@@ -14,7 +17,8 @@ pub const AXES: [&str; 4] = ["x", "y", "z", "w"];
 const WIDEST: f32 = 120.0;
 const STEEPEST: f32 = 1e6;
 
-/// Whoever lays it out gives it a name.
+/// Whoever lays it out gives it a name. What the author wrote stays as it is until a hand changes it, also
+/// where it lies beyond `range` or has more digits than are shown.
 pub fn number(
     ui: &mut Ui,
     number: &mut f32,
@@ -24,18 +28,19 @@ pub fn number(
 ) -> bool {
     let before = *number;
     let suffix = if unit == Some("degrees") { "°" } else { "" };
-    match range.filter(|(low, high)| fits_slider(*low, *high, *number)) {
-        Some((low, high)) => {
-            ui.spacing_mut().slider_width = (ui.available_width() - 70.0).max(40.0);
-            let is_steep = low > 0.0 && high / low > 300.0;
-            let slider = Slider::new(number, low..=high).logarithmic(is_steep).suffix(suffix);
-            let slider = slider.custom_formatter(|x, _| format!("{}", short(x as f32)));
-            ui.add(if is_whole { slider.step_by(1.0) } else { slider })
+    if let Some((low, high)) = range.filter(|(low, high)| fits_slider(*low, *high, *number)) {
+        ui.spacing_mut().slider_width = (ui.available_width() - 70.0).max(40.0);
+        let is_steep = low > 0.0 && high / low > 300.0;
+        let slider = Slider::new(number, low..=high).logarithmic(is_steep).show_value(false);
+        let slider = slider.clamping(SliderClamping::Edits);
+        ui.add(if is_whole { slider.step_by(1.0) } else { slider });
+        if *number != before {
+            *number = short(*number);
         }
-        None => drag(ui, number, range, is_whole, suffix),
-    };
-    if *number != before {
-        *number = if is_whole { number.round() } else { short(*number) };
+    }
+    drag(ui, number, range, is_whole, suffix);
+    if is_whole && *number != before {
+        *number = number.round();
     }
     *number != before
 }
@@ -46,11 +51,28 @@ fn fits_slider(low: f32, high: f32, number: f32) -> bool {
     (is_steep && high / low <= STEEPEST) || high - low <= WIDEST * number.abs().max(0.05)
 }
 
+/// A number that a hand drags, in four digits, or types, in as many as it likes.
 fn drag(ui: &mut Ui, number: &mut f32, range: Option<(f32, f32)>, is_whole: bool, suffix: &str) -> Response {
+    let before = *number;
     let (low, high) = range.unwrap_or((f32::MIN, f32::MAX));
     let speed = if is_whole { 0.1 } else { (number.abs() * 0.01).max(0.005) };
-    let value = egui::DragValue::new(number).speed(speed).range(low..=high).suffix(suffix);
-    ui.add(value.custom_formatter(|x, _| format!("{}", short(x as f32))))
+    let is_typed = ui.memory(|memory| memory.has_focus(ui.next_auto_id()));
+    let shown = |x: f64, _| {
+        let x = x as f32;
+        // egui would take a suffix for the widget's name.
+        if is_typed { x.to_string() } else { format!("{}{suffix}", if is_whole { x } else { short(x) }) }
+    };
+    // What says the same as before is no edit, and so is not brought into the range either.
+    let typed = |text: &str| {
+        let text = text.trim().trim_end_matches('°').replace('−', "-");
+        text.parse().ok().filter(|x: &f64| x.is_finite() && *x as f32 != before)
+    };
+    let value = egui::DragValue::new(number).speed(speed).range(low..=high).clamp_existing_to_range(false);
+    let response = ui.add(value.custom_formatter(shown).custom_parser(typed));
+    if response.dragged() && *number != before {
+        *number = short(*number);
+    }
+    response
 }
 
 /// Each number is called by `name` and the one of `parts` that it is.
@@ -67,15 +89,11 @@ pub fn vector(
     for (number, part) in numbers.iter_mut().zip(parts) {
         drag(ui, number, range, false, "").accessible_name(format!("{name} {part}"));
     }
-    for (number, before) in numbers.iter_mut().zip(&before) {
-        if number != before {
-            *number = short(*number);
-        }
-    }
     numbers != before
 }
 
-/// A light's color may be brighter than a screen: then it is three numbers.
+/// A light's color may be brighter than a screen: then it is three numbers. Else a hand picks one of those
+/// that hexadecimal digits can say.
 pub fn color(ui: &mut Ui, name: &str, color: &mut Vec3, style: ColorStyle) -> bool {
     let before = *color;
     let mut rgb = color.to_array();
@@ -86,24 +104,30 @@ pub fn color(ui: &mut Ui, name: &str, color: &mut Vec3, style: ColorStyle) -> bo
         };
     }
     ui.spacing_mut().interact_size.x = 56.0;
-    // egui's way through hue and back loses digits: only what a hand has done counts.
-    let is_new = ui.color_edit_button_rgb(&mut rgb).accessible_name(name).changed();
+    // A grey has no hue and a black no saturation: what the hand has chosen of those is remembered.
+    let id = ui.next_auto_id().with("hue");
+    let bytes = |hsva: Hsva| Color32::from(hsva);
+    let own = Hsva::from_rgb(rgb);
+    let kept = ui.data(|data| data.get_temp::<Hsva>(id)).filter(|kept| bytes(*kept) == bytes(own));
+    let mut hsva = kept.unwrap_or(own);
+    color_edit_button_hsva(ui, &mut hsva, Alpha::Opaque).accessible_name(name);
+    ui.data_mut(|data| data.insert_temp(id, hsva));
+    let [r, g, b, _] = bytes(hsva).to_array();
+    let hexadecimal = format!("#{r:02x}{g:02x}{b:02x}");
+    // egui's way through hue and back loses digits: only what changes the color on a screen was done by a hand.
+    if bytes(hsva) != bytes(own) {
+        *color = parse_color(&hexadecimal).unwrap_or(before);
+    }
     let how = match style {
-        ColorStyle::Text => {
-            let [r, g, b, _] = Color32::from(egui::Rgba::from_rgb(rgb[0], rgb[1], rgb[2])).to_array();
-            format!("#{r:02x}{g:02x}{b:02x}")
-        }
+        ColorStyle::Text => hexadecimal,
         ColorStyle::Linear => rgb.map(|x| format!("{x:.2}")).join(" "),
         ColorStyle::Grey => format!("{:.3}", rgb[0]),
     };
     ui.add(egui::Label::new(RichText::new(how).monospace().weak().small()).truncate());
-    if is_new {
-        *color = rgb.map(|x| (x * 1e4).round() / 1e4).into();
-    }
     *color != before
 }
 
-/// A text that is told once the author has finished it.
+/// A text that is told once the author has finished it; Escape takes back what was typed.
 pub fn text(ui: &mut Ui, path: &Path, value: &str) -> Option<String> {
     let id = egui::Id::unique(path.to_string());
     let draft = ui.data_mut(|data| data.get_temp::<String>(id));
@@ -114,7 +138,8 @@ pub fn text(ui: &mut Ui, path: &Path, value: &str) -> Option<String> {
         return None;
     }
     ui.data_mut(|data| data.remove::<String>(id));
-    (response.lost_focus() && text != value).then_some(text)
+    let gives_up = ui.input(|input| input.key_pressed(Key::Escape));
+    (response.lost_focus() && !gives_up && text != value).then_some(text)
 }
 
 /// Lays out what belongs to what is called `name`.
