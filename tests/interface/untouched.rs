@@ -87,7 +87,8 @@ fn look_at_all(text: &str, known: &mut HashSet<String>) -> usize {
     let lines: Vec<String> = lines.filter_map(|line| line.label()).collect();
     let mut looked = 0;
     for line in lines {
-        let place = studio.harness.query_all_by(is(Role::TreeItem, &line)).next().expect("it is there").rect();
+        let place =
+            studio.harness.query_all_by(is(Role::TreeItem, &line)).next().expect("it is there").rect();
         click(&mut studio, place);
         open_all(&mut studio, &line);
         for Widget { role, name, said, place: at } in widgets(&studio, &line) {

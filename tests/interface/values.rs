@@ -178,6 +178,39 @@ fn a_color_is_written_as_it_was_written_before() {
 }
 
 #[test]
+fn names_and_defaults_become_hexadecimal_colors() {
+    let mut studio = chosen("tiles");
+    for (channel, byte) in [("R", "128"), ("G", "0"), ("B", "7")] {
+        studio.click(Role::ColorWell, "odd");
+        studio.fill(Role::SpinButton, channel, byte);
+        studio.key(Modifiers::NONE, Key::Escape);
+    }
+    assert_eq!(studio.text(), SCENE.replace("\"tomato\"", "\"#800007\""));
+    assert!(studio.says("#800007"));
+    // As its file has the default.
+    assert!(studio.says("#ece6d8"));
+    studio.click(Role::ColorWell, "even");
+    studio.fill(Role::SpinButton, "R", "1");
+    let text = studio.text();
+    let even = text.split_once("even: \"#01").expect(&text).1;
+    assert!(even.find('"') == Some(4), "{text}");
+}
+
+#[test]
+fn escape_takes_back_what_is_typed() {
+    let mut studio = chosen("ball");
+    studio.click(Role::TextInput, "name");
+    studio.type_text("orb");
+    studio.key(Modifiers::NONE, Key::Escape);
+    assert_eq!(studio.text(), SCENE);
+    assert!(studio.has(Role::TreeItem, "ball"));
+    // A typed number keeps its digits.
+    studio.choose("ball");
+    studio.fill(Role::SpinButton, "radius", "1.234567");
+    assert_eq!(studio.text(), SCENE.replace("radius: 1 /*", "radius: 1.234567 /*"));
+}
+
+#[test]
 fn a_color_brighter_than_the_screen_is_three_numbers() {
     let mut studio = chosen("Point 0");
     studio.fill(Role::SpinButton, "color green", "3");
