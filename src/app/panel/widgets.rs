@@ -114,7 +114,7 @@ pub fn color(ui: &mut Ui, name: &str, color: &mut Vec3, style: ColorStyle) -> bo
     ui.data_mut(|data| data.insert_temp(id, hsva));
     let [r, g, b, _] = bytes(hsva).to_array();
     let hexadecimal = format!("#{r:02x}{g:02x}{b:02x}");
-    // egui's way through hue and back loses digits: only what changes the color on a screen was done by a hand.
+    // egui's way through hue and back loses digits: a hand changes the color on a screen.
     if bytes(hsva) != bytes(own) {
         *color = parse_color(&hexadecimal).unwrap_or(before);
     }
