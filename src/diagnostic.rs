@@ -100,13 +100,13 @@ impl Report {
         let ids: BTreeMap<&str, usize> = self
             .texts
             .iter()
-            .map(|(name, text)| (name.as_str(), files.add(name.as_str(), &**text)))
+            .map(|(name, text)| (name.as_str(), files.add(name.as_str(), unmarked(text))))
             .collect();
         let config = term::Config { tab_width: 4, ..term::Config::default() };
         let mut plain = String::new();
         let mut colored = codespan_reporting::term::termcolor::Buffer::ansi();
         for diagnostic in &self.diagnostics {
-            let drawn = draw(diagnostic, &ids);
+            let drawn = draw(diagnostic, &ids, &self.texts);
             // The only errors are of a file that is not there, which `draw` leaves out, and of the writer,
             // which is memory.
             if color {
@@ -125,7 +125,16 @@ impl fmt::Display for Report {
     }
 }
 
-fn draw(diagnostic: &Diagnostic, ids: &BTreeMap<&str, usize>) -> codespan::Diagnostic<usize> {
+/// `text` without a byte-order mark, which is no column of its first line.
+fn unmarked(text: &str) -> &str {
+    text.strip_prefix('\u{feff}').unwrap_or(text)
+}
+
+fn draw(
+    diagnostic: &Diagnostic,
+    ids: &BTreeMap<&str, usize>,
+    texts: &BTreeMap<String, Arc<str>>,
+) -> codespan::Diagnostic<usize> {
     let severity = match diagnostic.severity {
         Severity::Warning => codespan::Severity::Warning,
         Severity::Error => codespan::Severity::Error,
@@ -133,7 +142,9 @@ fn draw(diagnostic: &Diagnostic, ids: &BTreeMap<&str, usize>) -> codespan::Diagn
     let labels = diagnostic.labels.iter().enumerate().filter_map(|(i, (place, text))| {
         let style = if i == 0 { codespan::LabelStyle::Primary } else { codespan::LabelStyle::Secondary };
         let id = *ids.get(place.file.as_str())?;
-        Some(codespan::Label::new(style, id, place.span.clone()).with_message(text))
+        let mark = texts.get(&place.file).map_or(0, |text| text.len() - unmarked(text).len());
+        let span = place.span.start.saturating_sub(mark)..place.span.end.saturating_sub(mark);
+        Some(codespan::Label::new(style, id, span).with_message(text))
     });
     codespan::Diagnostic::new(severity)
         .with_message(&diagnostic.message)

@@ -63,8 +63,12 @@ impl Sources {
             Answer::Text(text) => Ok(text),
             Answer::Binary(bytes) => {
                 let at = std::str::from_utf8(&bytes).map_or_else(|e| e.valid_up_to(), str::len);
-                let why = format!("it is not UTF-8 text (byte {at})");
-                Err(Diagnostic::error(format!("cannot read `{name}`: {why}")))
+                let is_utf16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
+                let problem = |why: String| Diagnostic::error(format!("cannot read `{name}`: {why}"));
+                Err(match is_utf16 {
+                    true => problem("it is UTF-16 text".into()).help("save it as UTF-8"),
+                    false => problem(format!("it is not UTF-8 text (byte {at})")),
+                })
             }
             Answer::Missing => Err(Diagnostic::error(format!("there is no file `{name}`"))),
             Answer::Unreadable(why) => Err(Diagnostic::error(format!("cannot read `{name}`: {why}"))),

@@ -32,6 +32,8 @@ fn an_edit_changes_what_it_means_and_nothing_else() {
         match edit.on(&text) {
             Ok(change) => {
                 let new = change.apply(&text);
+                let is_marked = |text: &str| text.starts_with('\u{feff}');
+                assert_eq!(is_marked(&text), is_marked(&new), "{}", story());
                 let after = parse(name, &new).unwrap_or_else(|p| panic!("{p:?}\n{}\nto\n{new}", story()));
                 let law = check(&text, &root, &edit, &new, &after, &change.span);
                 done[law.unwrap_or_else(|broken| panic!("{broken}\n{}\nto\n{new}", story()))] += 1;

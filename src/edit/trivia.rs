@@ -1,5 +1,7 @@
 //! What stands between the words of a scene: blanks, line ends and comments.
 
+use crate::scene::block_comment;
+
 /// What RON takes for a blank.
 pub fn is_blank(c: char) -> bool {
     matches!(
@@ -37,24 +39,6 @@ pub fn next(text: &str, at: usize) -> Option<(Trivia, usize)> {
     }
     let c = rest.chars().next().filter(|c| is_blank(*c))?;
     Some((if c == '\n' { Trivia::LineEnd } else { Trivia::Blank }, at + c.len_utf8()))
-}
-
-/// The length of the comment that opens `text`, with those inside of it.
-fn block_comment(text: &str) -> usize {
-    let (mut depth, mut at) = (0, 0);
-    while at < text.len() {
-        if text[at..].starts_with("/*") {
-            (depth, at) = (depth + 1, at + 2);
-        } else if text[at..].starts_with("*/") {
-            (depth, at) = (depth - 1, at + 2);
-            if depth == 0 {
-                break;
-            }
-        } else {
-            at += text[at..].chars().next().map_or(1, char::len_utf8);
-        }
-    }
-    at
 }
 
 /// Where the next word is, from `at` on.

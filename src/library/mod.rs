@@ -97,8 +97,11 @@ impl<'a> Library<'a> {
         if let Some(known) = self.known.lock().expect("no holder panics").get(&key) {
             return known.clone().map_err(|_| Some(vec![]));
         }
-        let Some((file, text)) = self.locate(family, &function::stem_of(name)) else { return Err(None) };
-        let read = header::read(family, &file, &text).map(Arc::new);
+        let read = match self.locate(family, &function::stem_of(name)) {
+            Some(Ok((file, text))) => header::read(family, &file, &text).map(Arc::new),
+            Some(Err(problem)) => Err(vec![problem]),
+            None => return Err(None),
+        };
         self.known.lock().expect("no holder panics").insert(key, read.clone());
         read.map_err(Some)
     }
@@ -155,12 +158,17 @@ impl<'a> Library<'a> {
         std::mem::take(&mut self.warnings.lock().expect("no holder panics"))
     }
 
-    fn locate(&self, family: Family, stem: &str) -> Option<(String, Arc<str>)> {
+    /// The name and the text of a file, or why it cannot be read.
+    fn locate(&self, family: Family, stem: &str) -> Option<Result<(String, Arc<str>), Diagnostic>> {
         let built_in_name = format!("{}/{stem}.wgsl", family.built_in_folder());
         let built_in = built_in(&built_in_name);
         for folder in &self.folders {
             let path = folder.join(family.users_folder()).join(format!("{stem}.wgsl"));
-            if let Answer::Text(text) = self.sources.read(&path) {
+            if self.sources.read(&path) != Answer::Missing {
+                let text = match self.sources.text(&path) {
+                    Ok(text) => text,
+                    Err(problem) => return Some(Err(problem)),
+                };
                 let file = self.sources.name(&path);
                 if built_in.is_some_and(|b| b != &*text) {
                     let what = format!("this hides the {} that ships with raytoy", family.noun());
@@ -170,10 +178,10 @@ impl<'a> Library<'a> {
                         .help(format!("rename the file and its function to keep both `{name}`s"));
                     self.warnings.lock().expect("no holder panics").push(warning);
                 }
-                return Some((file, text));
+                return Some(Ok((file, text)));
             }
         }
-        Some((built_in_name, built_in?.into()))
+        Some(Ok((built_in_name, built_in?.into())))
     }
 }
 

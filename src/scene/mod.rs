@@ -4,6 +4,7 @@
 //! What names mean is not known here.
 
 mod changes;
+mod numbers;
 mod order;
 mod parse;
 mod path;
@@ -11,6 +12,7 @@ mod path;
 use std::ops::Range;
 
 pub use changes::{Change, ChangeKind, Side, changes};
+pub use numbers::block_comment;
 pub use order::found_again;
 pub use parse::parse;
 pub use path::{Path, Step};

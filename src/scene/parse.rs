@@ -3,6 +3,7 @@
 use ron2::ast::{self, Expr};
 use ron2::error::ErrorKind;
 
+use super::numbers::{number, readable};
 use super::{Field, Kind, Name, Record, Value};
 use crate::diagnostic::{Diagnostic, Place};
 
@@ -12,7 +13,8 @@ use crate::diagnostic::{Diagnostic, Place};
 /// All syntax errors of the text, in its order.
 pub fn parse(file: &str, text: &str) -> Result<Value, Vec<Diagnostic>> {
     let mut reader = Reader { file, text, problems: vec![] };
-    let (document, errors) = ast::parse_document_lossy(text);
+    let readable = readable(text);
+    let (document, errors) = ast::parse_document_lossy(&readable);
     for error in errors {
         reader.syntax(&error);
         // Beyond the depth limit the parser loses its place, and all that it says after is wrong.
@@ -94,14 +96,15 @@ impl Reader<'_> {
         let kind = match expr {
             Expr::Unit(_) => Kind::Record(Record::default()),
             Expr::Bool(b) => Kind::Bool(b.value),
-            Expr::Number(n) => match number(&n.raw) {
-                Some(x) if x.is_finite() => Kind::Number(x),
-                _ => {
-                    let message = format!("`{}` is not a finite number", n.raw);
-                    self.problems.push(Diagnostic::error(message).at(self.place(range(&n.span)), ""));
-                    Kind::Number(0.0)
-                }
-            },
+            Expr::Number(n) => {
+                let place = self.place(range(&n.span));
+                let written = &self.text[place.span.clone()];
+                Kind::Number(number(written).filter(|x| x.is_finite()).unwrap_or_else(|| {
+                    let message = format!("`{written}` is not a finite number");
+                    self.problems.push(Diagnostic::error(message).at(place, ""));
+                    0.0
+                }))
+            }
             Expr::String(s) => Kind::Text(s.value.clone()),
             Expr::Option(option) => match &option.value {
                 Some(inner) => {
@@ -164,21 +167,6 @@ impl Reader<'_> {
 
 fn range(span: &ron2::error::Span) -> std::ops::Range<usize> {
     span.start_offset..span.end_offset.max(span.start_offset)
-}
-
-/// RON's numbers: decimal, `1_000`, `0xff`, `0b1`, `0o7`.
-fn number(raw: &str) -> Option<f64> {
-    let plain = raw.replace('_', "");
-    let (sign, digits) = match plain.strip_prefix('-') {
-        Some(rest) => (-1.0, rest),
-        None => (1.0, plain.strip_prefix('+').unwrap_or(&plain)),
-    };
-    let radix = [("0x", 16), ("0b", 2), ("0o", 8)];
-    let integer = radix.iter().find_map(|(prefix, radix)| {
-        let digits = digits.strip_prefix(prefix)?;
-        u64::from_str_radix(digits, *radix).ok().map(|n| n as f64)
-    });
-    Some(sign * integer.or_else(|| digits.parse().ok())?)
 }
 
 /// The first bracket that another kind of bracket closes, or the last that nothing closes. Strings and

@@ -43,7 +43,8 @@ const FILLINGS: [&str; 14] = [
     "/**/",
 ];
 
-/// `text` written another way: other blanks, comments and commas, and some values in `Some(…)`.
+/// `text` written another way: other blanks, comments and commas, some values in `Some(…)`, with a
+/// byte-order mark or without.
 pub fn reformatted(random: &mut Random, text: &str) -> String {
     let mut text = text.to_owned();
     for _ in 0..random.below(3) {
@@ -73,6 +74,8 @@ pub fn reformatted(random: &mut Random, text: &str) -> String {
             before = word;
         }
     }
+    let mark = if random.below(4) == 0 { "\u{feff}" } else { "" };
+    let written = format!("{mark}{}", written.trim_start_matches('\u{feff}'));
     if random.below(4) == 0 { written.replace("\r\n", "\n").replace('\n', "\r\n") } else { written }
 }
 
