@@ -6,7 +6,7 @@ use common::{expect_compiled, expect_none, files, is_blessing, outcome, picture,
 use raytoy::difference::rgb;
 use raytoy::gpu::View;
 use raytoy::judge::{Limits, Verdict, judge};
-use raytoy::sources::Sources;
+use raytoy::sources::{Disk, Sources};
 use raytoy::suite::{Bench, Goldens, Run, find, html, human, run};
 use raytoy::wgsl::Mode;
 
@@ -17,7 +17,11 @@ const LEAST_AGREEMENT: f64 = 0.999;
 fn the_cases_pass_as_anyones_scenes_would() {
     let Some(gpu) = common::gpu() else { return };
     let cases = find(&Sources::on_disk(&root()), &["tests/cases".into()]).expect("the folder is there");
-    let bench = Bench { root: root(), goldens: Goldens::default(), bless: is_blessing() };
+    let bench = Bench {
+        disk: Disk { here: root(), named_root: None },
+        goldens: Goldens::default(),
+        bless: is_blessing(),
+    };
     let outcomes = run(&bench, std::slice::from_ref(gpu), &cases, &mut |_| ());
     let run = Run { outcomes, adapter: gpu.describe(), call: String::new() };
     if run.failed() > 0 {

@@ -72,9 +72,12 @@ impl Engine {
         let wishes = painter.clone();
         let news = notify.clone();
         let thumbnails =
-            thumbnails::start(choice.clone(), options.cache.clone(), move |told| news(Notice::Gallery(told)));
+            thumbnails::start(choice.clone(), options.cache.clone(), options.disk.clone(), move |told| {
+                news(Notice::Gallery(told));
+            });
         let album = Album::new(gpu.clone(), move || notify(Notice::Captured));
-        let builder = builder::start(gpu.clone(), trial, move |built| drop(wishes.send(Wish::Built(built))));
+        let built = move |built| drop(wishes.send(Wish::Built(built)));
+        let builder = builder::start(gpu.clone(), options.disk.clone(), trial, built);
         let _ = builder.send(Order::Open(scene.to_owned()));
         let context = egui::Context::default();
         panel::apply_style(&context, theme);

@@ -45,11 +45,14 @@ pub use settings::{Settings, Theme, cache, folder};
 pub use templates::{new_scene, new_texture};
 
 use crate::gpu::AdapterChoice;
+use crate::sources::Disk;
 
 /// What to open.
 #[derive(Clone, Debug)]
 pub struct Options {
     pub scene: PathBuf,
+    /// Where scenes lie.
+    pub disk: Disk,
     /// Of the window's inside, in points; None for what it was last.
     pub size: Option<[u32; 2]>,
     pub adapter: AdapterChoice,

@@ -68,6 +68,7 @@ impl App<'_> {
             (&self.options.scene, Trial::default(), memory.kept().theme),
         )?;
         let panel = Panel::new(&self.options.scene, engine.adapter(), memory.kept().clone());
+        let panel = panel.on(&self.options.disk);
         (self.on_event)(&Event::Opened { adapter: engine.adapter() });
         Ok(Open::new(window, engine, 0, panel, memory))
     }

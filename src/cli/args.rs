@@ -41,11 +41,7 @@ pub enum Command {
         picture: PathBuf,
     },
     /// Tell all mistakes in scenes and in texture or shape files
-    Check {
-        /// Scenes, .wgsl files, or folders of them
-        #[arg(required = true, value_name = "PATH")]
-        paths: Vec<PathBuf>,
-    },
+    Check(CheckOptions),
     /// Compare scenes with their goldens, and hold textures and shapes to their laws
     Test(TestOptions),
     /// Tell what differs between two scenes: values, shader and picture
@@ -66,10 +62,30 @@ pub enum Command {
     Completions { shell: clap_complete::Shell },
 }
 
+/// Which files a scene may name.
+#[derive(Args)]
+pub struct RootOption {
+    /// The folder in which all files of the scenes lie. Unless told, it is the folder that raytoy runs in
+    /// where that holds the scene, else the scene's own
+    #[arg(long, value_name = "FOLDER")]
+    pub root: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub struct CheckOptions {
+    /// Scenes, .wgsl files, or folders of them
+    #[arg(required = true, value_name = "PATH")]
+    pub paths: Vec<PathBuf>,
+    #[command(flatten)]
+    pub root: RootOption,
+}
+
 #[derive(Args)]
 pub struct ViewOptions {
     /// The scene
     pub scene: PathBuf,
+    #[command(flatten)]
+    pub root: RootOption,
     /// Size of the window, unless told as it was last, and 1280x720 at first
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<[u32; 2]>,
@@ -139,6 +155,8 @@ pub struct RenderOptions {
     /// Write the adapter, the shader's size and the milliseconds of each stage as JSON
     #[arg(long, value_name = "FILE")]
     pub stats: Option<PathBuf>,
+    #[command(flatten)]
+    pub root: RootOption,
     /// fastest, software, or a part of its name
     #[arg(long, default_value = "fastest", value_parser = adapter)]
     pub adapter: AdapterChoice,
@@ -169,6 +187,8 @@ pub struct GenerateOptions {
     /// Where to write it, standard output unless told
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub root: RootOption,
 }
 
 #[derive(Args)]
@@ -207,6 +227,8 @@ pub struct TestOptions {
     /// Tests at a time; as many as there are processors unless told
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub jobs: Option<u32>,
+    #[command(flatten)]
+    pub root: RootOption,
     /// software (the default where there is such a driver), fastest, or a part of its name, whose pictures
     /// may lie in x.NAME.png
     #[arg(long, value_name = "NAME", value_parser = adapter)]
@@ -243,6 +265,8 @@ pub struct DiffOptions {
     /// Exit with 1 where something differs
     #[arg(long)]
     pub exit_code: bool,
+    #[command(flatten)]
+    pub root: RootOption,
     /// Width and height of the pictures
     #[arg(long, value_name = "WxH", default_value = "320x180", value_parser = size)]
     pub size: [u32; 2],

@@ -2,17 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
+use super::args::CheckOptions;
 use super::{Failure, Result, print_report, sources_for};
 use crate::diagnostic::Report;
 use crate::library::{Family, Library, knot, name_of, sample};
-use crate::sources::Sources;
+use crate::sources::{Disk, Sources};
 use crate::suite::is_settings;
 use crate::wgsl::Mode;
 use crate::{Outcome, compile};
 
-pub fn run(paths: &[PathBuf]) -> Result {
+pub fn run(options: &CheckOptions) -> Result {
+    let disk = super::disk(&options.root, &options.paths)?;
     let mut files = vec![];
-    for path in paths {
+    for path in &options.paths {
         if path.is_dir() {
             collect(path, &mut files)?;
         } else if is_settings(path) {
@@ -26,7 +28,7 @@ pub fn run(paths: &[PathBuf]) -> Result {
     }
     let mut wrong = 0;
     for file in &files {
-        let outcome = check(file)?;
+        let outcome = check(&disk, file)?;
         print_report(&outcome.report);
         wrong += usize::from(outcome.compiled.is_none());
     }
@@ -69,8 +71,8 @@ fn is_snippet(path: &Path) -> bool {
     path.extension().is_some_and(|e| e == "wgsl") && is_family
 }
 
-fn check(file: &Path) -> Result<Outcome> {
-    let sources = sources_for(file)?;
+fn check(disk: &Disk, file: &Path) -> Result<Outcome> {
+    let sources = sources_for(disk, file)?;
     if file.extension().is_some_and(|e| e == "wgsl") {
         return check_snippet(sources, file);
     }

@@ -8,7 +8,7 @@ use super::scene::{bytes, origin};
 use super::{Failure, Result, print_report, print_result, write_output};
 use crate::difference::{self, Drawing, PictureDifference, SceneDifference};
 use crate::gpu::Gpu;
-use crate::sources::Sources;
+use crate::sources::Disk;
 use crate::wgsl::Mode;
 use crate::{Compiled, compile};
 
@@ -17,8 +17,9 @@ pub fn run(options: &DiffOptions) -> Result {
     if [old, new].iter().all(|path| is_input(path)) {
         return Err(Failure::Call("only one of the two scenes can come by standard input".into()));
     }
+    let disk = super::disk(&options.root, [old, new])?;
     // Both are read before one is refused, so that the mistakes of both are told.
-    let (old, new) = (compiled(old, new)?, compiled(new, old)?);
+    let (old, new) = (compiled(&disk, old, new)?, compiled(&disk, new, old)?);
     let (Some(old), Some(new)) = (old, new) else {
         return Err(match options.exit_code {
             true => Failure::Call("what is wrong cannot be compared".into()),
@@ -57,10 +58,10 @@ pub fn run(options: &DiffOptions) -> Result {
 }
 
 /// The scene at `path`, beside which is `other`; None where it is wrong, and that has been told.
-fn compiled(path: &Path, other: &Path) -> Result<Option<Compiled>> {
+fn compiled(disk: &Disk, path: &Path, other: &Path) -> Result<Option<Compiled>> {
     let bytes = bytes(path)?;
     let place = if is_input(path) { other.with_file_name("-") } else { path.to_path_buf() };
-    let sources = Sources::on_disk(&std::env::current_dir()?);
+    let sources = disk.sources();
     let sources = match text(path, &bytes)? {
         Some(text) => sources.with(&place, &text),
         None => sources,

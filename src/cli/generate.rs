@@ -4,7 +4,7 @@ use std::io::IsTerminal;
 use std::path::Path;
 
 use super::args::GenerateOptions;
-use super::{Failure, Result, compiled, write_output};
+use super::{Failure, Result, compiled, disk, write_output};
 use crate::export::{Export, Language, export};
 use crate::wgsl::Mode;
 
@@ -16,7 +16,7 @@ pub fn run(options: &GenerateOptions) -> Result {
         return Err(Failure::Call(why.into()));
     }
     let mode = if options.live { Mode::Live } else { Mode::Baked };
-    let compiled = compiled(&options.scene, mode)?;
+    let compiled = compiled(&disk(&options.root, [&options.scene])?, &options.scene, mode)?;
     let shader = match options.lang {
         None if !options.standalone => compiled.source.text().into_bytes(),
         language => {

@@ -22,12 +22,12 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
 
-use self::args::{Arguments, Command};
+use self::args::{Arguments, Command, RootOption};
 use crate::capture::write_file;
 use crate::diagnostic::{Report, Severity};
 use crate::gpu::GpuError;
 use crate::library::Family;
-use crate::sources::Sources;
+use crate::sources::{Disk, Sources};
 use crate::wgsl::Mode;
 use crate::{Compiled, compile};
 
@@ -60,7 +60,7 @@ pub fn run() -> ExitCode {
         Command::View(options) => view::run(&options),
         Command::Render(options) => render::run(&options),
         Command::Scene { picture } => scene::run(&picture),
-        Command::Check { paths } => check::run(&paths),
+        Command::Check(options) => check::run(&options),
         Command::Test(options) => test::run(&options),
         Command::Diff(options) => diff::run(&options),
         Command::Generate(options) => generate::run(&options),
@@ -86,9 +86,29 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// The files of this machine, with standard input as the file `-` where `scene` is that.
-fn sources_for(scene: &Path) -> Result<Sources> {
-    let sources = Sources::on_disk(&std::env::current_dir()?);
+/// The disk, with what `--root` says.
+///
+/// # Errors
+/// Where that is no folder, or one of `scenes` lies elsewhere.
+fn disk<'a>(root: &RootOption, scenes: impl IntoIterator<Item = &'a PathBuf>) -> Result<Disk> {
+    let disk = Disk::new(root.root.clone());
+    let Some(root) = &disk.named_root else { return Ok(disk) };
+    if !root.is_dir() {
+        return Err(Failure::Call(format!("there is no folder `{}`, the root", root.display())));
+    }
+    let sources = disk.sources();
+    match scenes.into_iter().find(|scene| !sources.root_holds(scene)) {
+        Some(scene) => {
+            let why = format!("`{}` lies outside of `{}`, the root", scene.display(), root.display());
+            Err(Failure::Call(why))
+        }
+        None => Ok(disk),
+    }
+}
+
+/// The files of `disk`, with standard input as the file `-` where `scene` is that.
+fn sources_for(disk: &Disk, scene: &Path) -> Result<Sources> {
+    let sources = disk.sources();
     if scene != Path::new("-") {
         return Ok(sources);
     }
@@ -98,11 +118,11 @@ fn sources_for(scene: &Path) -> Result<Sources> {
 }
 
 /// Compiles `scene` and prints what there is to say about it.
-fn compiled(scene: &Path, mode: Mode) -> Result<Compiled> {
+fn compiled(disk: &Disk, scene: &Path, mode: Mode) -> Result<Compiled> {
     if scene != Path::new("-") && !scene.exists() {
         return Err(Failure::Call(format!("there is no file `{}`", scene.display())));
     }
-    let outcome = compile(&sources_for(scene)?, scene, mode, None);
+    let outcome = compile(&sources_for(disk, scene)?, scene, mode, None);
     print_report(&outcome.report);
     outcome.compiled.ok_or(Failure::Scene)
 }

@@ -59,9 +59,10 @@ fn shows_numbers(options: &RenderOptions) -> bool {
 }
 
 /// The scene as the options ask for it, with the number that the view `value` shows, if it is to be seen.
-pub fn compiled(options: &RenderOptions, scene: &Path) -> Result<Compiled> {
+pub fn compiled(options: &RenderOptions, scene: &PathBuf) -> Result<Compiled> {
+    let disk = super::disk(&options.root, [scene])?;
     let mode = if options.live { Mode::Live } else { Mode::Baked };
-    let compiled = super::compiled(scene, mode)?;
+    let compiled = super::compiled(&disk, scene, mode)?;
     if !shows_numbers(options) {
         return Ok(compiled);
     }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::{Failure, Result, print_result};
 use crate::capture::Origin;
+use crate::sources::Disk;
 
 pub fn run(picture: &Path) -> Result {
     let origin = origin(picture, &bytes(picture)?)?;
@@ -16,15 +17,13 @@ pub fn run(picture: &Path) -> Result {
 
 /// What is at `path`, or comes by standard input where that is `-`.
 pub fn bytes(path: &Path) -> Result<Vec<u8>> {
-    let name = path.display();
     if path == Path::new("-") {
         let mut bytes = vec![];
         std::io::stdin().read_to_end(&mut bytes)?;
         Ok(bytes)
-    } else if path.exists() {
-        std::fs::read(path).map_err(|error| Failure::Call(format!("cannot read `{name}`: {error}")))
     } else {
-        Err(Failure::Call(format!("there is no file `{name}`")))
+        let bytes = Disk::new(None).sources().bytes(path);
+        bytes.map(|bytes| bytes.to_vec()).map_err(|problem| Failure::Call(problem.message))
     }
 }
 

@@ -8,8 +8,8 @@ use crate::sources::Sources;
 use crate::suite::{self, Bench, Case, Goldens, Run};
 
 pub fn run(options: &TestOptions) -> Result {
-    let root = std::env::current_dir()?;
-    let cases = chosen(options, &Sources::on_disk(&root))?;
+    let disk = super::disk(&options.root, &options.paths)?;
+    let cases = chosen(options, &disk.sources())?;
     if options.list {
         return print_result(&cases.iter().map(|case| format!("{}\n", case.name)).collect::<String>());
     }
@@ -18,7 +18,7 @@ pub fn run(options: &TestOptions) -> Result {
         _ => None,
     };
     let goldens = Goldens { folder: options.goldens.clone(), adapter: named };
-    let bench = Bench { root, goldens, bless: options.bless.is_some() };
+    let bench = Bench { disk, goldens, bless: options.bless.is_some() };
     let devices = devices(options, cases.len())?;
     let count = cases.len() as f32;
     let outcomes = with_progress("testing", |progress| {

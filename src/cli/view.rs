@@ -12,6 +12,7 @@ pub fn run(options: &ViewOptions) -> Result {
     if !options.scene.exists() {
         return Err(Failure::Call(format!("there is no file `{}`", options.scene.display())));
     }
+    let disk = super::disk(&options.root, [&options.scene])?;
     // SAFETY: the program has one thread until the window opens.
     unsafe { crate::gpu::prefer_quick_compiles() };
     let on_event = |event: &app::Event| {
@@ -23,7 +24,7 @@ pub fn run(options: &ViewOptions) -> Result {
     let variable = |name: &str| std::env::var_os(name);
     let (memory, cache) = (app::folder(options.events, variable), app::cache(options.events, variable));
     let remote = options.events.then(|| Arc::new(Mutex::new(remote())));
-    let window = app::Options { scene, size: options.size, adapter, memory, cache, remote };
+    let window = app::Options { scene, disk, size: options.size, adapter, memory, cache, remote };
     app::run(window, &on_event).map_err(Failure::Call)
 }
 

@@ -4,15 +4,15 @@ use std::path::{Path, PathBuf};
 
 use crate::diagnostic::Report;
 use crate::library::knot;
-use crate::sources::Sources;
+use crate::sources::{Disk, Sources};
 use crate::wgsl::Mode;
 use crate::{Compiled, compile};
 
 /// Where scenes look for names: on this machine or in memory.
 #[derive(Clone, Debug, Default)]
 pub struct World {
-    /// The folder that raytoy runs in; None where no disk is asked.
-    pub root: Option<PathBuf>,
+    /// None where no disk is asked.
+    pub disk: Option<Disk>,
     /// The folder of the scenes: `textures/` and `shapes/` beside it count.
     pub folder: PathBuf,
     /// Paths and texts that take the place of what is on the disk.
@@ -21,7 +21,7 @@ pub struct World {
 
 impl World {
     pub fn sources(&self) -> Sources {
-        let bare = self.root.as_ref().map_or_else(Sources::in_memory, |root| Sources::on_disk(root));
+        let bare = self.disk.as_ref().map_or_else(Sources::in_memory, Disk::sources);
         let bare = bare.with(self.folder.join(knot::FILE), &knot::obj());
         self.files.iter().fold(bare, |sources, (path, text)| sources.with(path, text))
     }

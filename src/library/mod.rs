@@ -15,7 +15,7 @@ mod value;
 
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::{Arc, Mutex};
 
 pub use color::{parse_color, parse_css};
@@ -25,7 +25,7 @@ pub use model::{Corner, Model};
 pub use value::{Const, Type};
 
 use crate::diagnostic::{Diagnostic, Place};
-use crate::sources::{Answer, Sources};
+use crate::sources::{Answer, Reach, Sources};
 
 /// The files that ship with raytoy: name in the project and text, sorted by name.
 pub const BUILT_IN: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/built_in.rs"));
@@ -68,7 +68,7 @@ type Read = Result<Arc<Function>, Vec<Diagnostic>>;
 /// Finds what a scene names: beside the scene, beside its parent folders, then among what is built in.
 pub struct Library<'a> {
     sources: &'a Sources,
-    folders: Vec<PathBuf>,
+    reach: Reach<'a>,
     known: Mutex<BTreeMap<(Family, String), Read>>,
     warnings: Mutex<Vec<Diagnostic>>,
     images: &'a [Image],
@@ -78,9 +78,9 @@ pub struct Library<'a> {
 impl<'a> Library<'a> {
     /// For a scene that lies in `folder`.
     pub fn new(sources: &'a Sources, folder: &Path) -> Self {
-        let folders = sources.folders_above(folder);
+        let reach = sources.reach(folder);
         let known = Mutex::default();
-        Self { sources, folders, known, warnings: Mutex::default(), images: &[], models: &[] }
+        Self { sources, reach, known, warnings: Mutex::default(), images: &[], models: &[] }
     }
 
     /// The same, which takes what was read before instead of reading the same bytes again.
@@ -98,9 +98,9 @@ impl<'a> Library<'a> {
             return known.clone().map_err(|_| Some(vec![]));
         }
         let read = match self.locate(family, &function::stem_of(name)) {
-            Some(Ok((file, text))) => header::read(family, &file, &text).map(Arc::new),
-            Some(Err(problem)) => Err(vec![problem]),
-            None => return Err(None),
+            Ok(Some((file, text))) => header::read(family, &file, &text).map(Arc::new),
+            Ok(None) => return Err(None),
+            Err(problem) => Err(vec![problem]),
         };
         self.known.lock().expect("no holder panics").insert(key, read.clone());
         read.map_err(Some)
@@ -112,9 +112,9 @@ impl<'a> Library<'a> {
             let file = path.strip_prefix(family.built_in_folder())?.strip_prefix('/')?;
             file.strip_suffix(".wgsl").map(str::to_owned)
         });
-        let folders = self.folders.iter().map(|f| f.join(family.users_folder()));
+        let folders = self.reach.folders().into_iter().map(|f| f.join(family.users_folder()));
         let mut stems: Vec<String> =
-            folders.flat_map(|f| self.sources.snippets_in(&f)).chain(built_in).collect();
+            folders.flat_map(|f| self.reach.snippets_in(&f)).chain(built_in).collect();
         stems.sort();
         stems.dedup();
         stems.iter().map(|stem| function::name_of(stem)).collect()
@@ -146,8 +146,13 @@ impl<'a> Library<'a> {
 
     /// The name of a file beside the scene, a digest of its bytes, and these.
     fn file(&self, file: &str) -> Result<(String, u64, Arc<[u8]>), Diagnostic> {
-        let path = self.folders[0].join(file);
-        let bytes = self.sources.bytes(&path)?;
+        if file.contains('\\') {
+            let better = file.replace('\\', "/");
+            let problem = Diagnostic::error("`\\` is no part of a file's name on every system");
+            return Err(problem.help(format!("write `/`, on Windows too: `{better}`")));
+        }
+        let path = self.reach.folder().join(file);
+        let bytes = self.reach.bytes(&path)?;
         let mut digest = DefaultHasher::new();
         bytes.hash(&mut digest);
         Ok((self.sources.name(&path), digest.finish(), bytes))
@@ -158,18 +163,15 @@ impl<'a> Library<'a> {
         std::mem::take(&mut self.warnings.lock().expect("no holder panics"))
     }
 
-    /// The name and the text of a file, or why it cannot be read.
-    fn locate(&self, family: Family, stem: &str) -> Option<Result<(String, Arc<str>), Diagnostic>> {
+    /// # Errors
+    /// Why the file that has the name cannot be read.
+    fn locate(&self, family: Family, stem: &str) -> Result<Option<(String, Arc<str>)>, Diagnostic> {
         let built_in_name = format!("{}/{stem}.wgsl", family.built_in_folder());
         let built_in = built_in(&built_in_name);
-        for folder in &self.folders {
+        for folder in self.reach.folders() {
             let path = folder.join(family.users_folder()).join(format!("{stem}.wgsl"));
-            if self.sources.read(&path) != Answer::Missing {
-                let text = match self.sources.text(&path) {
-                    Ok(text) => text,
-                    Err(problem) => return Some(Err(problem)),
-                };
-                let file = self.sources.name(&path);
+            if self.reach.read(&path) != Answer::Missing {
+                let (text, file) = (self.reach.text(&path)?, self.sources.name(&path));
                 if built_in.is_some_and(|b| b != &*text) {
                     let what = format!("this hides the {} that ships with raytoy", family.noun());
                     let name = function::name_of(stem);
@@ -178,10 +180,10 @@ impl<'a> Library<'a> {
                         .help(format!("rename the file and its function to keep both `{name}`s"));
                     self.warnings.lock().expect("no holder panics").push(warning);
                 }
-                return Some(Ok((file, text)));
+                return Ok(Some((file, text)));
             }
         }
-        Some(Ok((built_in_name, built_in?.into())))
+        Ok(built_in.map(|text| (built_in_name, text.into())))
     }
 }
 

@@ -1,7 +1,7 @@
 //! One scene beside its goldens: text, naga's verdict in both modes, picture.
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 use super::goldens::{read_picture, read_text, write};
@@ -10,15 +10,14 @@ use super::{Case, Failure, Goldens, Outcome};
 use crate::difference::{PictureDifference, TextDifference, png, rgb, with_origin_of};
 use crate::gpu::{Gpu, GpuError, Moment, Renderer};
 use crate::judge::judge;
-use crate::sources::Sources;
+use crate::sources::{Disk, Sources};
 use crate::wgsl::Mode;
 use crate::{Compiled, compile};
 
 /// What all tests of a run share.
 #[derive(Clone, Debug)]
 pub struct Bench {
-    /// The folder that raytoy runs in.
-    pub root: PathBuf,
+    pub disk: Disk,
     pub goldens: Goldens,
     /// Whether goldens are written where they are missing or differ.
     pub bless: bool,
@@ -28,7 +27,7 @@ pub struct Bench {
 pub fn check(bench: &Bench, gpu: &Gpu, case: &Case) -> Outcome {
     let start = Instant::now();
     let mut test = Test { bench, gpu, case, outcome: Outcome::new(case) };
-    let sources = Sources::on_disk(&bench.root);
+    let sources = bench.disk.sources();
     match settings_for(&sources, &case.path) {
         Err(report) => test.fail(Failure::Mistakes(report.to_string())),
         Ok(Settings { skip: Some(why), .. }) => test.outcome.skipped = Some(why),

@@ -59,16 +59,17 @@ pub fn is_settings(path: &Path) -> bool {
 /// What is wrong with the settings.
 pub fn settings_for(sources: &Sources, path: &Path) -> Result<Settings, Report> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut folders = sources.folders_above(folder);
+    let reach = sources.reach(folder);
+    let mut folders = reach.folders();
     folders.reverse();
     let of_folders = folders.into_iter().map(|folder| folder.join(OF_FOLDER));
     let files = of_folders.chain([path.with_extension("test.ron")]);
     let mut settings = Settings::default();
     for file in files {
         let name = sources.name(&file);
-        let read = match sources.read(&file) {
+        let read = match reach.read(&file) {
             Answer::Missing => continue,
-            _ => sources.text(&file).map_err(|problem| vec![problem]),
+            _ => reach.text(&file).map_err(|problem| vec![problem]),
         };
         let read = read.and_then(|text| settings.clone().with(&name, &text));
         settings = read.map_err(|diagnostics| Report { diagnostics, texts: sources.texts() })?;

@@ -15,7 +15,7 @@ use crate::library::{Family, Library, name_of};
 pub fn check(bench: &Bench, gpu: &Gpu, case: &Case, family: Family) -> Outcome {
     let start = Instant::now();
     let folder = case.path.parent().and_then(Path::parent).unwrap_or(Path::new(""));
-    let world = World { root: Some(bench.root.clone()), folder: folder.into(), files: vec![] };
+    let world = World { disk: Some(bench.disk.clone()), folder: folder.into(), files: vec![] };
     let mut outcome = Outcome::new(case);
     match settings_for(&world.sources(), &case.path) {
         Err(report) => outcome.failures.push(Failure::Mistakes(report.to_string())),

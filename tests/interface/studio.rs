@@ -10,6 +10,7 @@ use egui_kittest::{Harness, Node};
 use raytoy::app::panel::{CaptureDeed, Panel, apply_style};
 use raytoy::app::thumbnails::{News, Subject, Wish, catalog};
 use raytoy::app::{Look, Order, Settings};
+use raytoy::sources::Disk;
 use tempfile::TempDir;
 
 use super::builder::Builder;
@@ -289,7 +290,7 @@ impl Stage {
         for wish in wishes {
             match wish {
                 Wish::List { folder, scenes } => {
-                    let items = catalog(&folder, &scenes);
+                    let items = catalog(&Disk::new(None), &folder, &scenes);
                     self.catalog = items.len();
                     self.panel.hang(News::Catalog(items));
                 }

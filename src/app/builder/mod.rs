@@ -20,19 +20,20 @@ use crate::ir::Measure;
 use crate::library::Library;
 use crate::outline;
 use crate::scene;
-use crate::sources::Sources;
+use crate::sources::Disk;
 use crate::watch::Watcher;
 use crate::wgsl::Mode;
 use crate::{Compiled, compile, on_deep_stack};
 
 /// Starts the thread; each result goes to `done`. What `trial` has found of versions on other devices counts.
-pub fn start(gpu: Gpu, trial: Trial, done: impl Fn(Built) + Send + 'static) -> Sender<Order> {
+pub fn start(gpu: Gpu, disk: Disk, trial: Trial, done: impl Fn(Built) + Send + 'static) -> Sender<Order> {
     let (sender, receiver) = channel();
     let changes = sender.clone();
     std::thread::spawn(move || {
         let watcher = Watcher::new(move || drop(changes.send(Order::Changed)));
         let mut builder = Builder {
             gpu,
+            disk,
             watcher,
             scene: PathBuf::new(),
             edited: None,
@@ -58,6 +59,7 @@ pub fn start(gpu: Gpu, trial: Trial, done: impl Fn(Built) + Send + 'static) -> S
 
 struct Builder {
     gpu: Gpu,
+    disk: Disk,
     watcher: Watcher,
     scene: PathBuf,
     /// What stands for the text of the scene's file.
@@ -131,8 +133,7 @@ impl Builder {
     fn build(&mut self, done: &impl Fn(Built)) -> Option<Change> {
         let noticed = Instant::now();
         done(Built::Begun);
-        let here = std::env::current_dir().unwrap_or_else(|_| Path::new(".").into());
-        let disk = Sources::on_disk(&here);
+        let disk = self.disk.sources();
         let file = disk.text(&self.scene).ok();
         if file.is_some() && file != self.file {
             self.file = file;
@@ -141,7 +142,7 @@ impl Builder {
         if self.edited == self.file {
             self.edited = None;
         }
-        let mut sources = Sources::on_disk(&here);
+        let mut sources = self.disk.sources();
         if let Some(text) = &self.edited {
             sources = sources.with(&self.scene, text);
         }
@@ -193,8 +194,7 @@ impl Builder {
     /// Tells what the scene's text offers to change, if it can be read.
     fn outline(&self, done: &impl Fn(Built)) {
         let Some(text) = self.edited.clone().or_else(|| self.file.clone()) else { return };
-        let here = std::env::current_dir().unwrap_or_else(|_| Path::new(".").into());
-        let sources = Sources::on_disk(&here);
+        let sources = self.disk.sources();
         let library = Library::new(&sources, self.scene.parent().unwrap_or(Path::new("")));
         let outline = on_deep_stack(|| {
             let root = scene::parse(&sources.name(&self.scene), &text).ok()?;

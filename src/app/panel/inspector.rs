@@ -10,14 +10,15 @@ use super::{Deeds, Panel, picking, widgets};
 use crate::edit::Edit;
 use crate::library::Library;
 use crate::outline::{self, Node, NodeKind, Role};
-use crate::sources::Sources;
+use crate::sources::Disk;
 
 impl Panel {
     pub(super) fn inspector(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
         self.conflicts(ui, deeds);
         let Some((outline, _)) = self.outline.take() else { return };
         let scene = self.scene.clone();
-        let example = move |role: Role, name: &str| example(&scene, role, name);
+        let disk = self.disk.clone();
+        let example = move |role: Role, name: &str| example(&disk, &scene, role, name);
         let search =
             egui::TextEdit::singleline(&mut self.wanted).hint_text("find").desired_width(f32::INFINITY);
         ui.add(search).accessible_name("find in the scene");
@@ -71,7 +72,9 @@ impl Panel {
             for name in node.names.iter() {
                 if ui.selectable_label(name == shown, name).clicked() && name != shown {
                     let role = if node.kind == NodeKind::Light { Role::Light } else { Role::Solid };
-                    let keep = with_library(&self.scene, |library| outline::fields_of(role, name, library));
+                    let keep = with_library(&self.disk, &self.scene, |library| {
+                        outline::fields_of(role, name, library)
+                    });
                     let (path, name) = (node.path.clone(), name.clone());
                     deeds.edits.push(Edit::Rename { path, name, keep });
                 }
@@ -108,14 +111,13 @@ impl Panel {
 }
 
 /// RON text of a `name` with no more than it must be given.
-fn example(scene: &Path, role: Role, name: &str) -> String {
-    let known = with_library(scene, |library| outline::example(role, name, library));
+fn example(disk: &Disk, scene: &Path, role: Role, name: &str) -> String {
+    let known = with_library(disk, scene, |library| outline::example(role, name, library));
     known.unwrap_or_else(|| format!("{name}()"))
 }
 
 /// Asks for what `scene` can name.
-fn with_library<T>(scene: &Path, ask: impl FnOnce(&Library<'_>) -> T) -> T {
-    let here = std::env::current_dir().unwrap_or_else(|_| Path::new(".").into());
-    let sources = Sources::on_disk(&here);
+fn with_library<T>(disk: &Disk, scene: &Path, ask: impl FnOnce(&Library<'_>) -> T) -> T {
+    let sources = disk.sources();
     ask(&Library::new(&sources, scene.parent().unwrap_or(Path::new(""))))
 }

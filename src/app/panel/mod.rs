@@ -53,10 +53,12 @@ use crate::gpu::View;
 use crate::ir::Camera;
 use crate::outline::Outline;
 use crate::scene;
+use crate::sources::Disk;
 
 /// What is shown, and what the author has chosen.
 pub struct Panel {
     scene: PathBuf,
+    disk: Disk,
     /// Those of its folder.
     scenes: Vec<PathBuf>,
     /// Those that were open before, and lie elsewhere.
@@ -130,6 +132,7 @@ impl Panel {
         settings.visit(scene);
         Self {
             scene: scene.to_owned(),
+            disk: Disk::new(None),
             scenes: scenes::neighbours(scene),
             recent: scenes::elsewhere(&settings.recent, scene),
             settings,
@@ -166,6 +169,11 @@ impl Panel {
             shows_sheet: false,
             notice: None,
         }
+    }
+
+    /// The same, for scenes on `disk`.
+    pub fn on(self, disk: &Disk) -> Self {
+        Self { disk: disk.clone(), ..self }
     }
 
     pub fn scene(&self) -> &Path {

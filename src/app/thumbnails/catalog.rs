@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::diagnostic::Report;
 use crate::library::{Family, Function, Library, sample};
 use crate::outline::{self, Role};
-use crate::sources::Sources;
+use crate::sources::Disk;
 use crate::wgsl::Mode;
 use crate::{Compiled, compile};
 
@@ -38,8 +38,8 @@ pub struct Definition {
 }
 
 /// The scenes, by the names that people know them by, and what a scene in `folder` can name.
-pub fn catalog(folder: &Path, scenes: &[(PathBuf, String)]) -> Vec<Item> {
-    let sources = sources();
+pub fn catalog(disk: &Disk, folder: &Path, scenes: &[(PathBuf, String)]) -> Vec<Item> {
+    let sources = disk.sources();
     let library = Library::new(&sources, folder);
     let scenes = scenes.iter().map(|(path, name)| Item {
         subject: Subject::Scene(path.clone()),
@@ -59,26 +59,22 @@ impl Subject {
     ///
     /// # Errors
     /// All mistakes that are in the way, as one text.
-    pub fn compiled(&self, folder: &Path) -> Result<Compiled, String> {
+    pub fn compiled(&self, disk: &Disk, folder: &Path) -> Result<Compiled, String> {
         let (sources, path) = match self {
-            Subject::Scene(path) => (sources(), path.clone()),
+            Subject::Scene(path) => (disk.sources(), path.clone()),
             Subject::Function(family, name) => {
-                let known = sources();
+                let known = disk.sources();
                 let found = Library::new(&known, folder).find(*family, name);
                 let function = found.map_err(|problems| {
                     let diagnostics = problems.unwrap_or_default();
                     Report { diagnostics, texts: known.texts() }.to_string()
                 })?;
-                sample::shown(&function, sources(), folder)
+                sample::shown(&function, disk.sources(), folder)
             }
         };
         let outcome = compile(&sources, &path, Mode::Baked, None);
         outcome.compiled.ok_or_else(|| outcome.report.to_string())
     }
-}
-
-fn sources() -> Sources {
-    Sources::on_disk(&std::env::current_dir().unwrap_or_else(|_| Path::new(".").into()))
 }
 
 fn item(library: &Library<'_>, family: Family, name: String) -> Item {
@@ -119,11 +115,11 @@ mod tests {
         std::fs::write(folder.join("shapes/wrong.wgsl"), "fn other() {}").expect("the folder is writable");
         let scene = folder.join("broken.ron");
         std::fs::write(&scene, "// Shows nothing.\n(objects: [Spere()])").expect("the folder is writable");
-        let items = catalog(folder, &[(scene.clone(), "broken".into())]);
+        let items = catalog(&Disk::new(None), folder, &[(scene.clone(), "broken".into())]);
         assert_eq!((&*items[0].name, &*items[0].caption), ("broken", "Shows nothing."));
         let wrong = items.iter().find(|item| item.name == "Wrong").expect("it is listed");
         assert!(wrong.definition.is_none());
-        let told = |subject: &Subject| subject.compiled(folder).err().unwrap_or_default();
+        let told = |subject: &Subject| subject.compiled(&Disk::new(None), folder).err().unwrap_or_default();
         assert!(told(&wrong.subject).contains("no function `wrong`"), "{}", told(&wrong.subject));
         assert!(told(&items[0].subject).contains("did you mean `Sphere`?"), "{}", told(&items[0].subject));
     }
@@ -131,7 +127,7 @@ mod tests {
     #[test]
     fn what_can_be_copied_can_stand_in_a_scene() {
         let folder = Path::new("/nowhere");
-        for item in catalog(folder, &[]) {
+        for item in catalog(&Disk::new(None), folder, &[]) {
             let definition = item.definition.expect("what is built in has no mistakes");
             let Subject::Function(family, _) = item.subject else { panic!("no scene was listed") };
             for call in [&definition.call, &definition.full_call] {
@@ -145,7 +141,7 @@ mod tests {
                     }
                     _ => format!("(objects: [Plane(material: (color: {call}))])"),
                 };
-                let sources = Sources::in_memory().with("s.ron", &scene);
+                let sources = crate::sources::Sources::in_memory().with("s.ron", &scene);
                 let outcome = compile(&sources, "s.ron".as_ref(), Mode::Baked, None);
                 assert!(outcome.compiled.is_some(), "{call}: {}", outcome.report);
             }

@@ -19,6 +19,7 @@ pub use self::catalog::{Definition, Item, Subject, catalog};
 use self::store::Store;
 use crate::Compiled;
 use crate::gpu::{AdapterChoice, Gpu, GpuError, Moment, Picture, Renderer};
+use crate::sources::Disk;
 
 /// For each pixel.
 const SAMPLES: u32 = 16;
@@ -42,10 +43,12 @@ pub enum News {
     Picture(Subject, Result<Arc<ColorImage>, String>),
 }
 
-/// Starts the thread; it draws with an adapter of this kind, and keeps what it draws in `folder`.
+/// Starts the thread; it draws scenes of `disk` with an adapter of this kind, and keeps what it draws in
+/// `folder`.
 pub fn start(
     choice: AdapterChoice,
     folder: Option<PathBuf>,
+    disk: Disk,
     tell: impl Fn(News) + Send + 'static,
 ) -> Sender<Wish> {
     let (sender, wishes) = channel();
@@ -54,6 +57,7 @@ pub fn start(
         let Ok(first) = wishes.recv() else { return };
         let mut artist = Artist {
             choice,
+            disk,
             wishes,
             tell: Box::new(tell),
             store: Store::open(folder),
@@ -74,6 +78,7 @@ pub fn start(
 
 struct Artist {
     choice: AdapterChoice,
+    disk: Disk,
     wishes: Receiver<Wish>,
     tell: Box<dyn Fn(News)>,
     store: Store,
@@ -135,7 +140,7 @@ impl Artist {
         match wish {
             Wish::List { folder, scenes } => {
                 self.lists += 1;
-                (self.tell)(News::Catalog(catalog::catalog(&folder, &scenes)));
+                (self.tell)(News::Catalog(catalog::catalog(&self.disk, &folder, &scenes)));
                 self.folder = folder;
                 self.forget();
             }
@@ -156,7 +161,7 @@ impl Artist {
     /// The picture of `subject`, or why there is none; None where it is found missing and is to be drawn when
     /// its turn comes again, or where nobody wants it any more.
     fn picture(&mut self, subject: &Subject) -> Option<Result<Arc<ColorImage>, String>> {
-        let compiled = match subject.compiled(&self.folder) {
+        let compiled = match subject.compiled(&self.disk, &self.folder) {
             Ok(compiled) => compiled,
             Err(mistakes) => return Some(Err(mistakes)),
         };

@@ -27,10 +27,17 @@ impl Resolver<'_> {
             }
             Err(problem) => {
                 let advice = "a file is looked for beside the scene: PNG, JPEG or Radiance HDR";
-                self.push(problem.at(place, "").help(advice));
+                self.refuse_file(problem, written, advice);
                 None
             }
         }
+    }
+
+    /// Tells at the file's name in the scene why it cannot be had.
+    fn refuse_file(&mut self, problem: Diagnostic, written: &scene::Value, advice: &str) {
+        let problem = if problem.help.is_empty() { problem.help(advice) } else { problem };
+        let place = self.place(&written.span);
+        self.push(problem.at(place, ""));
     }
 
     /// The value of a parameter that is the same everywhere.
@@ -56,9 +63,8 @@ impl Resolver<'_> {
                 }))
             }
             Err(problem) => {
-                let place = self.place(&written.span);
                 let advice = "a file is looked for beside the scene: Wavefront OBJ or binary glTF";
-                self.push(problem.at(place, "").help(advice));
+                self.refuse_file(problem, written, advice);
                 None
             }
         }

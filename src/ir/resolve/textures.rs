@@ -128,7 +128,11 @@ impl<'a> Resolver<'a> {
         match self.lookup.find(family, &name.text) {
             Ok(function) => Some(function),
             Err(Some(problems)) => {
-                self.problems.extend(problems);
+                let place = self.place(&name.span);
+                self.problems.extend(problems.into_iter().map(|problem| match problem.labels.is_empty() {
+                    true => problem.at(place.clone(), ""),
+                    false => problem,
+                }));
                 None
             }
             Err(None) => {
