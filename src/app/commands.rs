@@ -24,7 +24,6 @@ pub enum Command {
     PreviousView,
     SplitView,
     Magnifier,
-    Patience,
     SavePicture,
     Pause,
     StepBack,
@@ -49,7 +48,7 @@ pub struct Entry {
 }
 
 /// Every command once, group by group.
-pub const COMMANDS: [Entry; 27] = [
+pub const COMMANDS: [Entry; 26] = [
     entry(
         Command::Gallery,
         "Scene",
@@ -150,13 +149,6 @@ pub const COMMANDS: [Entry; 27] = [
         "Magnifier",
         &[plain(Key::Z)],
         "show the pixels around the pointer eight times as large",
-    ),
-    entry(
-        Command::Patience,
-        "Picture",
-        "Patience",
-        &[plain(Key::P)],
-        "draw pictures that take more than a minute, too",
     ),
     entry(
         Command::SavePicture,

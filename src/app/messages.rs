@@ -34,8 +34,6 @@ pub struct Look {
     pub gizmos: bool,
     /// Whether the window wants to know what lies under each pixel.
     pub asks: bool,
-    /// Whether a picture may take as long as it does.
-    pub patient: bool,
 }
 
 impl Look {
@@ -110,8 +108,21 @@ pub enum Notice {
     Lost(String),
     /// What a driving program asks for.
     Remote(Remote),
+    /// Drawing is slow, and goes on; None where it is slow no more.
+    Slow(Option<Slow>),
     /// The GPU failed.
     Failed(GpuError),
+}
+
+/// How far a picture is that takes long.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slow {
+    /// What one sample takes at the size of the picture.
+    pub sample: Duration,
+    /// The share of the sample being drawn that is there, 0 to 1.
+    pub done: f32,
+    /// Less than 1 where that sample is coarser than the screen.
+    pub resolution: f32,
 }
 
 /// A picture and where it came from.

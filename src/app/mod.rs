@@ -39,7 +39,7 @@ use std::sync::{Arc, Mutex};
 pub use commands::{COMMANDS, Command};
 pub use events::{Change, Event};
 pub use focus::Focus;
-pub use messages::{Clock, Look, Picture, Texels};
+pub use messages::{Clock, Look, Picture, Slow, Texels};
 pub use orders::Order;
 pub use settings::{Settings, Theme, cache, folder};
 pub use templates::{new_scene, new_texture};

@@ -232,6 +232,12 @@ impl ApplicationHandler<(u32, Notice)> for App<'_> {
                     (app.on_event)(&Event::Broken { errors, text: report.to_string() });
                     open.panel.break_with(report);
                 }
+                Notice::Slow(slow) => {
+                    if let Some(slow) = slow.filter(|_| open.panel.slow.is_none()) {
+                        (app.on_event)(&Event::Slow { seconds: slow.sample.as_secs_f64().round() });
+                    }
+                    open.panel.slow = slow;
+                }
                 Notice::Failed(error) => {
                     let diagnostics = vec![Diagnostic::error(error.to_string())];
                     open.panel.break_with(Report { diagnostics, ..Report::default() });

@@ -2,13 +2,13 @@
 //!
 //! In: a scene's pipeline and the moment of a picture. Out: [`Identity`], which answers without the GPU.
 
-use std::ops::ControlFlow;
+use std::time::Instant;
 
 use glam::{Vec2, Vec3, uvec2};
 
 use super::lens::Lens;
-use super::slices::{SLICE, Subject, draw_sample};
-use super::{Gpu, GpuError, Moment, Pace, Pipeline, Tracer, View};
+use super::slices::SLICE;
+use super::{Gpu, GpuError, Moment, Pace, Pipeline, Region, Tracer, View};
 use crate::ir;
 
 /// The first surface along the ray through the middle of each pixel.
@@ -51,20 +51,12 @@ impl Identity {
         render: &ir::Render,
         size: [u32; 2],
     ) -> Result<Self, GpuError> {
-        let bare = ir::Render { max_bounces: 0, shadows: false, texture_filter: false, ..*render };
-        let mut tracer = Tracer::new(gpu, size)?;
-        let mut pace = Pace::new(SLICE, gpu.is_software());
-        let mut values = |view| {
-            tracer.restart();
-            let moment = Moment { view, split: None, ..*moment };
-            let subject = Subject { gpu, pipeline, render: &bare, moment: &moment };
-            let mut goes_on = |_| ControlFlow::Continue(());
-            let _ = draw_sample(&mut pace, &mut tracer, subject, [0.0; 2], &mut goes_on)?;
-            let bytes = gpu.read_texture(tracer.picture(), 16)?;
-            Ok(bytemuck::pod_collect_to_vec(&bytes))
-        };
-        let (places, normals) = (values(View::Place)?, values(View::Outward)?);
-        Ok(Self { size, lens: Lens::new(&moment.camera, size), places, normals })
+        let mut survey = Survey::new(gpu, moment, render, size)?;
+        loop {
+            if let Some(identity) = survey.step(gpu, pipeline)? {
+                return Ok(identity);
+            }
+        }
     }
 
     /// Width and height, pixels.
@@ -118,5 +110,63 @@ impl Identity {
 
     fn index(&self, x: u32, y: u32) -> usize {
         (y * self.size[0] + x) as usize
+    }
+}
+
+/// An [`Identity`] that is being drawn, slice by slice.
+#[derive(Debug)]
+pub struct Survey {
+    tracer: Tracer,
+    pace: Pace,
+    moment: Moment,
+    render: ir::Render,
+    pixels_done: u32,
+    /// Once they are drawn.
+    places: Option<Vec<[f32; 4]>>,
+}
+
+impl Survey {
+    /// Of a picture of `size`, as [`Identity::draw`] has it.
+    ///
+    /// # Errors
+    /// Where the GPU has no texture of `size`.
+    pub fn new(gpu: &Gpu, moment: &Moment, render: &ir::Render, size: [u32; 2]) -> Result<Self, GpuError> {
+        Ok(Self {
+            tracer: Tracer::new(gpu, size)?,
+            pace: Pace::new(SLICE, gpu.is_software()),
+            moment: Moment { view: View::Place, split: None, ..*moment },
+            render: ir::Render { max_bounces: 0, shadows: false, texture_filter: false, ..*render },
+            pixels_done: 0,
+            places: None,
+        })
+    }
+
+    /// Draws a slice, which takes about a tenth of a second; the whole, once it is there.
+    ///
+    /// # Errors
+    /// Where a loop of the author's had to be ended, or the device stops to answer.
+    pub fn step(&mut self, gpu: &Gpu, pipeline: &Pipeline) -> Result<Option<Identity>, GpuError> {
+        let size = self.tracer.size();
+        let begun = Instant::now();
+        let region = Region::after(self.pixels_done, self.pace.pixels(), size);
+        self.tracer.draw(pipeline, &self.moment, &self.render, [0.0; 2], &region);
+        pipeline.finish(gpu)?;
+        self.pace.learn(region.pixels(), begun.elapsed());
+        self.pixels_done += region.pixels();
+        if self.pixels_done < size[0] * size[1] {
+            return Ok(None);
+        }
+        self.pixels_done = 0;
+        self.tracer.next();
+        let bytes = gpu.read_texture(self.tracer.picture(), 16)?;
+        let values = bytemuck::pod_collect_to_vec(&bytes);
+        self.tracer.restart();
+        let Some(places) = self.places.take() else {
+            self.places = Some(values);
+            self.moment.view = View::Outward;
+            return Ok(None);
+        };
+        let lens = Lens::new(&self.moment.camera, size);
+        Ok(Some(Identity { size, lens, places, normals: values }))
     }
 }

@@ -25,7 +25,7 @@ mod uniforms;
 
 pub use device::{AdapterChoice, Gpu, GpuError, prefer_quick_compiles};
 pub use display::{Display, Light, Target};
-pub use identity::{Identity, Seen};
+pub use identity::{Identity, Seen, Survey};
 pub use image::{Picture, PictureTimes, Renderer, render};
 pub use lens::Lens;
 pub use lines::{Line, Lines};

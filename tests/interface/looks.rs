@@ -1,12 +1,15 @@
 //! What is to be seen: views, two of them, a number as colors, the camera, a part alone, signs and handles.
 
+use std::time::Duration;
+
 use egui::accesskit::Role;
 use egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, vec2,
 };
+use egui_kittest::kittest::NodeT;
 use glam::{Vec2, Vec3};
-use raytoy::app::Focus;
 use raytoy::app::handles::{Handle, Tripod};
+use raytoy::app::{Focus, Slow};
 use raytoy::gpu::{Lens, View};
 
 use super::SCENE;
@@ -212,10 +215,29 @@ fn what_is_chosen_is_moved_by_its_arrow_and_escape_gives_it_up() {
 }
 
 #[test]
-fn patience_is_told_to_the_painter() {
+fn slow_drawing_is_told_as_what_it_is_and_the_rest_goes_on() {
     let mut studio = Studio::open(SCENE);
-    for is_patient in [true, false] {
-        studio.key(Modifiers::NONE, Key::P);
-        assert_eq!(studio.look().patient, is_patient);
-    }
+    let tell = |studio: &mut Studio, resolution: f32| {
+        let sample = Duration::from_secs(180);
+        studio.harness.state_mut().panel.slow = Some(Slow { sample, done: 0.34, resolution });
+        studio.settle();
+    };
+    tell(&mut studio, 0.25);
+    assert!(studio.has(Role::Status, "slow drawing") && !studio.has(Role::Alert, "mistakes"));
+    assert!(
+        studio.says("Drawing is slow.") && studio.says("about 3 minutes here. A coarse picture comes first")
+    );
+    tell(&mut studio, 1.0);
+    assert!(
+        studio.says("So much of it is there") && studio.says("The view `cost` shows where the time goes")
+    );
+    assert!(!studio.says("mistakes"));
+    let share = studio.find(Role::ProgressIndicator, "share of the sample").accesskit_node().numeric_value();
+    assert_eq!(share, Some(34.0));
+    // A hand can do all that it can do otherwise.
+    studio.choose("ball");
+    assert!(studio.look().asks);
+    studio.harness.state_mut().panel.slow = None;
+    studio.settle();
+    assert!(!studio.has(Role::Status, "slow drawing"));
 }

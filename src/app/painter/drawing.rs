@@ -5,21 +5,31 @@ use std::time::{Duration, Instant};
 use super::{Painter, SAMPLES};
 use crate::Compiled;
 use crate::app::messages::{Look, Notice, Picture};
-use crate::gpu::{GpuError, Identity, Moment, Region, Tracer, sample_offset};
+use crate::gpu::{GpuError, Moment, Region, Survey, Tracer, sample_offset};
 
 /// On a device of its own the painter lets the window show a picture first, but waits no longer than this.
 const COURTESY: Duration = Duration::from_millis(100);
 
 impl Painter {
+    /// Finds out more of what lies under the pixels, and tells it once it is whole.
     pub(super) fn tell(&mut self) -> Result<(), GpuError> {
         let Some(scene) = &self.scene else { return Ok(()) };
         let Some(pipeline) = scene.pipeline(true) else { return Ok(()) };
         let compiled = &scene.version.compiled;
-        let moment = self.moment(compiled);
-        let render = &compiled.scene.render;
-        let identity = Identity::draw(&self.gpu, pipeline, &moment, render, self.look.size)?;
-        self.is_told = true;
-        (self.notify)(Notice::Identity(Box::new(identity)));
+        let mut survey = match self.survey.take() {
+            Some(survey) => survey,
+            None => {
+                let (moment, render) = (self.moment(compiled), &compiled.scene.render);
+                Survey::new(&self.gpu, &moment, render, self.look.size)?
+            }
+        };
+        match survey.step(&self.gpu, pipeline)? {
+            Some(identity) => {
+                self.is_told = true;
+                (self.notify)(Notice::Identity(Box::new(identity)));
+            }
+            None => self.survey = Some(survey),
+        }
         Ok(())
     }
 
@@ -79,12 +89,14 @@ impl Painter {
         let jitter = sample_offset(tracer.samples(), SAMPLES);
         tracer.draw(pipeline, &moment, &compiled.scene.render, jitter, &region);
         pipeline.finish(&self.gpu)?;
-        self.pace.learn(region.pixels(), begun.elapsed());
+        let took = begun.elapsed();
+        self.pace.learn(region.pixels(), took);
+        self.forecast.add(region.pixels(), took);
         self.pixels_done += region.pixels();
         if self.pixels_done == size[0] * size[1] {
             self.finish_sample()?;
-        } else if let Some(report) = self.too_slow() {
-            self.refuse(report);
+        } else if self.is_better_coarser() {
+            self.begin(self.coarseness * 2);
         }
         Ok(())
     }
@@ -93,6 +105,8 @@ impl Painter {
         let tracer = self.tracer.as_mut().expect("it has drawn a sample");
         tracer.next();
         self.pixels_done = 0;
+        self.forecast.finish();
+        self.is_first_pass = false;
         let samples = tracer.samples();
         let frame_time = self.sample_started.elapsed();
         let is_first = samples == 1;

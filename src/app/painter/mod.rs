@@ -2,8 +2,10 @@
 //! are heard within a tenth of a second.
 
 mod drawing;
+mod forecast;
 mod refusal;
 mod sketching;
+mod slowness;
 
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -12,10 +14,11 @@ use std::time::{Duration, Instant};
 use super::drawable::Drawable;
 use super::easel::Easel;
 use super::events::Change;
-use super::messages::{Clock, Look, Notice, Wish};
+use super::messages::{Clock, Look, Notice, Slow, Wish};
 use super::orders::{Built, Version};
 use crate::diagnostic::Report;
-use crate::gpu::{Gpu, GpuError, Pace, Pipeline, Tracer, View};
+use crate::gpu::{Gpu, GpuError, Pace, Pipeline, Survey, Tracer, View};
+use forecast::Forecast;
 
 /// A picture that takes longer than this to draw starts coarse.
 const PROMPT: Duration = Duration::from_millis(50);
@@ -23,6 +26,8 @@ const PROMPT: Duration = Duration::from_millis(50);
 const PROMPT_EDIT: Duration = Duration::from_millis(10);
 /// No slice of a picture takes much longer: an edit waits for the one that is being drawn.
 const SLICE: Duration = Duration::from_millis(30);
+/// Whoever wants to know what lies under a pixel waits for the sample that is drawn, but no longer than this.
+const WAITING: Duration = Duration::from_millis(500);
 /// A still picture is done with this many samples.
 const SAMPLES: u32 = 64;
 
@@ -42,7 +47,6 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
             clock,
             gizmos: false,
             asks: false,
-            patient: false,
         };
         let mut painter = Painter {
             easel: Easel::new(&gpu, shares_device),
@@ -60,6 +64,11 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
             pixels_done: 0,
             is_sketched: false,
             is_told: false,
+            survey: None,
+            forecast: Forecast::default(),
+            is_first_pass: false,
+            slow: None,
+            slow_told: Instant::now(),
             sample_started: Instant::now(),
             pace: Pace::new(SLICE, !shares_device),
             is_held: false,
@@ -95,6 +104,15 @@ struct Painter {
     is_sketched: bool,
     /// Whether the window knows what lies under each pixel, as far as it has asked.
     is_told: bool,
+    /// What lies under each pixel, while it is found out.
+    survey: Option<Survey>,
+    /// How long a sample of the scene takes.
+    forecast: Forecast,
+    /// Whether nothing of the picture has been shown yet that something coarser could stand for.
+    is_first_pass: bool,
+    /// What was told last of drawing that is slow, and when.
+    slow: Option<Slow>,
+    slow_told: Instant,
     sample_started: Instant,
     pace: Pace,
     /// Whether another version is being built on the processor that would draw this one.
@@ -110,10 +128,12 @@ impl Painter {
     fn run(&mut self, receiver: &Receiver<Wish>) {
         loop {
             if self.is_done() {
+                self.tell_slowness();
                 let Ok(wish) = receiver.recv() else { return };
                 self.grant(wish);
             }
             receiver.try_iter().for_each(|wish| self.grant(wish));
+            self.tell_slowness();
             if let Some(until) = self.waits_until {
                 match receiver.recv_timeout(until.saturating_duration_since(Instant::now())) {
                     Ok(wish) => self.grant(wish),
@@ -172,13 +192,16 @@ impl Painter {
     }
 
     /// Whether the window waits to know what lies under the pixels of a picture that it shows as fine as it
-    /// gets: to find that out takes as long as two samples, and a hand that drags a number waits for none.
+    /// gets, or for long: to find that out takes two samples without shadows, and a hand that drags a number
+    /// waits for none.
     fn needs_telling(&self) -> bool {
         let is_shown = self.scene.as_ref().is_some_and(|scene| scene.is_shown);
         let is_fine = self.coarseness == 1 && self.tracer.as_ref().is_some_and(|t| t.samples() > 0);
         let can_tell = self.scene.as_ref().is_some_and(|scene| scene.pipeline(true).is_some());
         let is_asked = self.look.asks && !self.is_told && can_tell;
-        is_asked && self.pixels_done == 0 && is_shown && (is_fine || self.is_moving())
+        let is_slow = self.pixels_done > 0 && self.sample_started.elapsed() > WAITING;
+        let is_time = is_slow || (self.pixels_done == 0 && (is_fine || self.is_moving()));
+        is_asked && is_shown && is_time
     }
 
     fn grant(&mut self, wish: Wish) {
@@ -200,9 +223,6 @@ impl Painter {
                 let is_other =
                     look != Look { corner, mouse, clock, asks, ..before } || reads_mouse || reads_clock;
                 self.look = look;
-                if look.patient && !before.patient {
-                    self.retry();
-                }
                 if is_other {
                     self.restart(PROMPT);
                 }
@@ -253,6 +273,8 @@ impl Painter {
     /// Begins a new picture, coarse where a fine one would keep the window waiting.
     fn restart(&mut self, prompt: Duration) {
         self.is_told = false;
+        self.survey = None;
+        self.is_first_pass = prompt < Duration::MAX;
         self.is_stuck = false;
         self.is_sketched = false;
         self.begin(self.pace.coarseness(self.look.size, prompt));
@@ -261,6 +283,7 @@ impl Painter {
     fn begin(&mut self, coarseness: u32) {
         self.coarseness = coarseness;
         self.pixels_done = 0;
+        self.forecast.begin();
         if let Some(tracer) = &mut self.tracer {
             tracer.restart();
         }

@@ -60,7 +60,6 @@ impl Panel {
                 Command::OnlyThis,
                 Command::SplitView,
                 Command::Magnifier,
-                Command::Patience,
                 Command::SavePicture,
             ] {
                 self.menu_item(ui, command, deeds);

@@ -111,7 +111,6 @@ impl Panel {
             Command::SplitView => Some(self.divider.split().is_some()),
             Command::Handles => Some(self.settings.handles),
             Command::Magnifier => Some(self.magnifies),
-            Command::Patience => Some(self.patient),
             _ => None,
         }
     }
@@ -136,7 +135,6 @@ impl Panel {
             Command::PreviousView => self.change_view(View::ALL.len() - 1),
             Command::SplitView => self.divider.toggle(self.view),
             Command::Magnifier => self.magnifies = !self.magnifies,
-            Command::Patience => self.patient = !self.patient,
             Command::SavePicture => self.dialog.toggle(),
             Command::Pause => self.toggle_clock(),
             Command::StepBack => self.step(-1.0),

@@ -25,6 +25,7 @@ mod picture;
 mod scenes;
 mod shader;
 mod sheet;
+mod slowness;
 mod style;
 mod tree;
 mod widgets;
@@ -43,7 +44,7 @@ use self::picking::Picking;
 pub use self::style::{ACCENT, apply as apply_style};
 use super::document::Document;
 use super::focus::Focus;
-use super::messages::{Clock, Look, Picture};
+use super::messages::{Clock, Look, Picture, Slow};
 use super::orders::Order;
 use super::settings::{self, Settings};
 use super::thumbnails;
@@ -76,8 +77,6 @@ pub struct Panel {
     /// Whether lights, target and bounds are drawn over the picture.
     gizmos: bool,
     magnifies: bool,
-    /// Whether a picture may take as long as it does.
-    patient: bool,
     divider: divider::Divider,
     gauge: gauge::Gauge,
     handles: handles::Handles,
@@ -100,6 +99,8 @@ pub struct Panel {
     facts: Vec<(&'static str, String)>,
     /// Mistakes, or warnings of a scene that is shown.
     report: Option<(Report, String)>,
+    /// Where drawing is slow, how slow.
+    pub slow: Option<Slow>,
     pub dialog: capture::Dialog,
     palette: palette::Palette,
     gallery: gallery::Gallery,
@@ -144,7 +145,7 @@ impl Panel {
             mouse: [0.0; 2],
             gizmos: false,
             magnifies: false,
-            patient: false,
+            slow: None,
             divider: divider::Divider::default(),
             gauge: gauge::Gauge::default(),
             handles: handles::Handles::default(),
@@ -189,6 +190,7 @@ impl Panel {
     pub fn begin_again(&mut self) -> [Order; 2] {
         self.picking = Picking::default();
         self.look = None;
+        self.slow = None;
         self.gauge.begin_again();
         self.gallery.begin_again();
         [Order::Edited(self.document.overlay()), Order::Focus(self.focus.clone())]

@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui::{Color32, PointerButton, Sense, TextureId, Ui, WidgetInfo};
 use glam::Vec2;
 
-use super::{Panel, mistakes};
+use super::{Panel, mistakes, slowness};
 use crate::app::camera;
 use crate::app::messages::Look;
 
@@ -42,9 +42,13 @@ impl Panel {
             self.report = Some((report, text));
         }
         let pixels = |points_long: f32| (points_long * points).round() as u32;
+        let size = [pixels(area.width()), pixels(area.height())];
+        if let Some(slow) = &self.slow {
+            slowness::show(ui, area, size, slow);
+        }
         let look = Look {
             corner: [pixels(area.min.x), pixels(area.min.y)],
-            size: [pixels(area.width()), pixels(area.height())],
+            size,
             camera: self.camera,
             view: self.view,
             split: self.divider.split(),
@@ -53,7 +57,6 @@ impl Panel {
             clock: self.clock,
             gizmos: self.gizmos,
             asks: self.asks(),
-            patient: self.patient,
         };
         let Look { corner, mouse, asks, gizmos, .. } = look;
         if self.look.is_some_and(|before| Look { corner, mouse, asks, gizmos, ..before } != look) {
