@@ -271,6 +271,49 @@ fn a_split_picture_is_both_and_says_so() {
 }
 
 #[test]
+fn numbers_that_no_picture_can_have_are_refused_with_their_limits() {
+    for (option, limit) in [
+        (&["--time", "NaN"][..], "from -1000000 to 1000000"),
+        (&["--time", "inf"], "from -1000000 to 1000000"),
+        (&["--time=-1e30"], "from -1000000 to 1000000"),
+        (&["--frames", "0..2", "--fps", "NaN"], "from 0.01 to 1000"),
+        (&["--frames", "0..2", "--fps", "0"], "from 0.01 to 1000"),
+        (&["--frames", "5..3"], "up to a higher one"),
+        (&["--frames", "0..4000000000", "--fps", "1"], "a scene has at most 1000000"),
+        (&["--reach", "NaN"], "from 0.000001 to 1000000"),
+        (&["--split", "normal", "--split-at", "NaN"], "from 0, the left edge, to 1"),
+        (&["--samples", "0"], "1..=65536"),
+        (&["--samples", "-1"], "'-1'"),
+    ] {
+        let refused = raytoy(&[&["render", "scenes/table.ron", "-o", "a###.png"], option].concat());
+        assert_eq!(refused.status.code(), Some(2), "{option:?}");
+        assert!(stderr(&refused).contains(limit), "{option:?}: {}", stderr(&refused));
+    }
+}
+
+#[test]
+fn an_adapter_that_is_not_there_is_refused_by_naming_those_that_are() {
+    let Some(gpu) = common::gpu() else { return };
+    let refused = raytoy(&["render", "scenes/table.ron", "-o", "a.png", "--adapter", "nope"]);
+    let told = stderr(&refused);
+    assert_eq!(refused.status.code(), Some(2), "{told}");
+    assert!(told.starts_with("raytoy: no adapter has `nope` in its name; there are\n"), "{told}");
+    let name = gpu.describe();
+    assert!(told.contains(name.split(" (").next().unwrap_or(&name)), "{told} lacks {name}");
+}
+
+#[test]
+fn drawing_without_a_display_says_nothing_of_displays() {
+    let Some(_) = common::gpu() else { return };
+    let out = tempfile::tempdir().expect("a temporary folder");
+    let file = out.path().join("a.png");
+    let name = file.to_string_lossy();
+    let mut call = command(&["render", "scenes/table.ron", "-o", &name, "--size", "8x8"]);
+    let drawn = call.env_remove("XDG_RUNTIME_DIR").output().expect("raytoy runs");
+    assert_eq!(stderr(&drawn), format!("{name}: 8x8\n"));
+}
+
+#[test]
 fn completions_are_for_the_shell_that_is_asked_for() {
     let bash = stdout(&raytoy(&["completions", "bash"]));
     assert!(bash.contains("_raytoy()") && bash.contains("generate"));

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use super::words::{adapter, frames, language, rate, reach, share, size, view};
+use super::words::{adapter, frames, language, rate, reach, share, size, time, view};
 use crate::export::Language;
 use crate::gpu::{AdapterChoice, View};
 
@@ -126,6 +126,7 @@ pub struct RenderOptions {
     pub samples: u32,
     /// Seconds since the scene began
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(value_parser = time)]
     pub time: f32,
     /// Draw the frames FROM to TO - 1; frame n shows the scene at n / fps seconds
     #[arg(long, value_name = "FROM..TO", conflicts_with = "time", value_parser = frames)]
@@ -276,6 +277,7 @@ pub struct DiffOptions {
     pub samples: u32,
     /// Seconds since the scenes began
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(value_parser = time)]
     pub time: f32,
     /// fastest, software, or a part of its name
     #[arg(long, default_value = "fastest", value_parser = adapter)]

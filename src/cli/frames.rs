@@ -6,6 +6,7 @@ use std::path::Path;
 use super::args::RenderOptions;
 use super::render::{compiled, shot, with_progress};
 use super::stats::Stats;
+use super::words::LONGEST_TIME;
 use super::{Failure, Result, print_report, write_output};
 use crate::capture::{self, Format, Frames, MovieFormat, Numbered};
 use crate::diagnostic::{Diagnostic, Report};
@@ -24,6 +25,11 @@ pub fn run(options: &RenderOptions, numbers: Range<u32>) -> Result {
     let path = &options.output;
     let output = output(path)?;
     let frames = Frames { numbers, rate: options.fps };
+    let last = frames.time(frames.numbers.end - 1);
+    if last > LONGEST_TIME {
+        let message = format!("the last frame is at {last} seconds; a scene has at most {LONGEST_TIME}");
+        return Err(Failure::Call(message));
+    }
     let gpu = Gpu::headless(&options.adapter)?;
     let compiled = compiled(options, scene)?;
     let count = frames.numbers.len();

@@ -56,6 +56,8 @@ impl<E: std::error::Error + 'static> From<E> for Failure {
 
 /// Runs the program with the arguments of the process.
 pub fn run() -> ExitCode {
+    // SAFETY: the program has one thread yet.
+    unsafe { crate::gpu::ask_no_absent_display() };
     let done = match Arguments::parse().command {
         Command::View(options) => view::run(&options),
         Command::Render(options) => render::run(&options),

@@ -19,6 +19,14 @@ pub fn frames(text: &str) -> Result<Range<u32>, String> {
     some.ok_or_else(|| "frames go from a number up to a higher one, such as 0..120 for 0 to 119".into())
 }
 
+/// Beyond it, a second of `frame.time` has hardly any steps.
+pub const LONGEST_TIME: f32 = 1e6;
+
+pub fn time(text: &str) -> Result<f32, String> {
+    let sensible = text.parse().ok().filter(|time: &f32| time.abs() <= LONGEST_TIME);
+    sensible.ok_or_else(|| "a time is a number of seconds from -1000000 to 1000000".into())
+}
+
 pub fn rate(text: &str) -> Result<f64, String> {
     let sensible = text.parse().ok().filter(|rate| (0.01..=1000.0).contains(rate));
     sensible.ok_or_else(|| "frames a second are a number from 0.01 to 1000".into())

@@ -1,9 +1,10 @@
-//! An adapter and its device, and a count of what is made on it.
+//! A device on an adapter, and a count of what is made on it.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
+use super::adapters::{AdapterChoice, find_adapter};
 use crate::diagnostic::Report;
 
 /// A device with its queue. Clones share both.
@@ -14,24 +15,14 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     made: Arc<AtomicU32>,
     lost: Arc<AtomicBool>,
-}
-
-/// Which of the machine's adapters to take.
-#[derive(Clone, Debug, PartialEq, Eq, Default)]
-pub enum AdapterChoice {
-    /// The fastest, or what `WGPU_ADAPTER_NAME` names.
-    #[default]
-    Fastest,
-    /// One that runs on the processor: the same pictures on every machine.
-    Software,
-    /// The first whose name contains this, in any case.
-    Named(String),
+    /// What went wrong outside of all error scopes, until somebody asks.
+    trouble: Arc<Mutex<Option<GpuError>>>,
 }
 
 /// Why something on the GPU did not work.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum GpuError {
-    /// There is no adapter of the wanted kind; what to do about it.
+    /// There is no adapter of the wanted kind: what there is instead, or what to do about it.
     NoAdapter(String),
     /// The driver refused, or the scene needs more than it has.
     Refused(String),
@@ -44,7 +35,7 @@ pub enum GpuError {
 impl std::fmt::Display for GpuError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            GpuError::NoAdapter(advice) => write!(f, "no GPU and no software driver was found\n{advice}"),
+            GpuError::NoAdapter(why) => f.write_str(why),
             GpuError::Refused(why) => write!(f, "the GPU's driver refuses: {why}"),
             GpuError::Lost(why) => write!(f, "the GPU does not answer: {why}"),
             GpuError::Endless(report) => write!(f, "{report}"),
@@ -85,8 +76,7 @@ impl Gpu {
         choice: &AdapterChoice,
         surface: Option<&wgpu::Surface<'_>>,
     ) -> Result<Self, GpuError> {
-        let adapter = pollster::block_on(find_adapter(instance, choice, surface))
-            .ok_or_else(|| GpuError::NoAdapter(advice(choice)))?;
+        let adapter = pollster::block_on(find_adapter(instance, choice, surface))?;
         // A headless picture may be as large as the adapter's textures. A probe needs compute shaders; all
         // else does without.
         let limits = adapter.limits();
@@ -100,14 +90,26 @@ impl Gpu {
         let descriptor = wgpu::DeviceDescriptor { required_limits, ..Default::default() };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
             .map_err(|error| GpuError::Refused(error.to_string()))?;
-        let gpu = Self { adapter, device, queue, made: Arc::default(), lost: Arc::default() };
+        let gpu = Self {
+            adapter,
+            device,
+            queue,
+            made: Arc::default(),
+            lost: Arc::default(),
+            trouble: Arc::default(),
+        };
         gpu.when_lost(|_| ());
-        let lost = gpu.lost.clone();
-        // Errors are caught in scopes; one that slips through must not end the program. All that is made on a
-        // lost device is invalid, as wgpu says at each use, and that is no news.
+        let (lost, trouble) = (gpu.lost.clone(), gpu.trouble.clone());
+        // Errors are caught in scopes; one that slips through must not end the program, but whoever waits for
+        // the picture is told. All that is made on a lost device is invalid, as wgpu says at each use, and
+        // that is no news; nor is what follows from the first error.
         gpu.device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             if !lost.load(Ordering::Relaxed) {
-                eprintln!("raytoy: GPU error: {error}");
+                let told = GpuError::Refused(match error {
+                    wgpu::Error::OutOfMemory { .. } => "it has no memory left for this".into(),
+                    other => other.to_string(),
+                });
+                trouble.lock().expect("no holder panics").get_or_insert(told);
             }
         }));
         Ok(gpu)
@@ -156,8 +158,18 @@ impl Gpu {
         self.made.fetch_add(1, Ordering::Relaxed);
     }
 
+    /// # Errors
+    /// What went wrong since somebody last asked: most often there is too little memory.
+    pub(super) fn check(&self) -> Result<(), GpuError> {
+        self.trouble.lock().expect("no holder panics").take().map_or(Ok(()), Err)
+    }
+
     /// Waits until all submitted work is done.
+    ///
+    /// # Errors
+    /// Where something went wrong meanwhile, or the device stops to answer.
     pub fn wait(&self) -> Result<(), GpuError> {
+        self.check()?;
         let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) };
         self.device.poll(wait).map(drop).map_err(|error| GpuError::Lost(error.to_string()))
     }
@@ -222,45 +234,5 @@ impl Gpu {
         mapped.map_err(|e| lost(e.to_string()))?;
         let bytes = buffer.slice(..).get_mapped_range().map_err(|e| lost(e.to_string()))?;
         Ok(bytes.to_vec())
-    }
-}
-
-async fn find_adapter(
-    instance: &wgpu::Instance,
-    choice: &AdapterChoice,
-    surface: Option<&wgpu::Surface<'_>>,
-) -> Option<wgpu::Adapter> {
-    let named = match choice {
-        AdapterChoice::Named(name) => Some(name.clone()),
-        AdapterChoice::Fastest => std::env::var("WGPU_ADAPTER_NAME").ok(),
-        AdapterChoice::Software => None,
-    };
-    if let Some(name) = named {
-        let all = instance.enumerate_adapters(wgpu::Backends::all()).await;
-        let fits = |a: &wgpu::Adapter| a.get_info().name.to_lowercase().contains(&name.to_lowercase());
-        let shows = |a: &wgpu::Adapter| surface.is_none_or(|s| a.is_surface_supported(s));
-        return all.into_iter().find(|a| fits(a) && shows(a));
-    }
-    let options = wgpu::RequestAdapterOptions {
-        power_preference: wgpu::PowerPreference::HighPerformance,
-        force_fallback_adapter: *choice == AdapterChoice::Software,
-        compatible_surface: surface,
-        ..Default::default()
-    };
-    instance.request_adapter(&options).await.ok()
-}
-
-fn advice(choice: &AdapterChoice) -> String {
-    let install = if cfg!(target_os = "linux") {
-        "install a Vulkan driver; Mesa's software driver runs everywhere:\n  \
-         Debian, Ubuntu  apt install mesa-vulkan-drivers\n  \
-         Fedora          dnf install mesa-vulkan-drivers vulkan-loader\n  \
-         Arch            pacman -S vulkan-swrast vulkan-icd-loader"
-    } else {
-        "update the driver of the graphics card"
-    };
-    match choice {
-        AdapterChoice::Named(name) => format!("none is called `{name}`; leave out --adapter, or {install}"),
-        _ => install.to_owned(),
     }
 }

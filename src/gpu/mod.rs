@@ -3,6 +3,7 @@
 //! In: [`crate::Compiled`]. Out: pixels, or from a [`Probe`] single values. The only room that knows wgpu,
 //! the window's surface aside.
 
+mod adapters;
 mod assets;
 mod batches;
 mod device;
@@ -23,7 +24,8 @@ mod texels;
 mod tracer;
 mod uniforms;
 
-pub use device::{AdapterChoice, Gpu, GpuError, prefer_quick_compiles};
+pub use adapters::{AdapterChoice, ask_no_absent_display};
+pub use device::{Gpu, GpuError, prefer_quick_compiles};
 pub use display::{Display, Light, Target};
 pub use identity::{Identity, Seen, Survey};
 pub use image::{Picture, PictureTimes, Renderer, render};

@@ -17,7 +17,7 @@ pub struct Tracer {
 
 impl Tracer {
     /// # Errors
-    /// Where the GPU has no texture of `size`.
+    /// Where the GPU has no texture of `size`, or no memory for it.
     pub fn new(gpu: &Gpu, size: [u32; 2]) -> Result<Self, GpuError> {
         let most = gpu.device.limits().max_texture_dimension_2d;
         if size.iter().any(|n| *n > most || *n == 0) {
@@ -41,12 +41,9 @@ impl Tracer {
                 view_formats: &[],
             })
         };
-        Ok(Self {
-            gpu: gpu.clone(),
-            frame,
-            textures: [texture("even samples"), texture("odd samples")],
-            samples: 0,
-        })
+        let textures = [texture("even samples"), texture("odd samples")];
+        gpu.check()?;
+        Ok(Self { gpu: gpu.clone(), frame, textures, samples: 0 })
     }
 
     pub fn size(&self) -> [u32; 2] {

@@ -97,7 +97,7 @@ impl Settings {
         }
         reader.size(&mut self.size);
         reader.whole("samples", 1.0..=65536.0, &mut self.samples);
-        reader.number("time", -1e9..=1e9, |x| self.time = x as f32);
+        reader.number("time", -1e6..=1e6, |x| self.time = x as f32);
         for (name, flag) in
             [("text", &mut self.text), ("picture", &mut self.picture), ("mistakes", &mut self.mistakes)]
         {
