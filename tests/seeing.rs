@@ -127,6 +127,34 @@ fn an_outline_is_two_pixels_along_the_border() {
 }
 
 #[test]
+fn a_floor_is_not_outlined_where_things_stand_on_it() {
+    let Some(gpu) = common::gpu() else { return };
+    let text = "(camera: (eye: (0, 2, 7), target: (0, 0.7, 0)), objects: [Plane(name: \"floor\"),
+        Sphere(center: (-1.3, 1, 0)), Box(min: (0.6, 0, -0.5), max: (2, 1.5, 0.5)), Sphere(center: (0, 0.4, 2), radius: 0.2)])";
+    let seen = identity(gpu, &scene(text), SIZE);
+    let beside = |chosen: u32, other: Option<u32>| {
+        let meets = |x: u32, y: u32| {
+            let sides = [(x.wrapping_sub(1), y), (x + 1, y), (x, y.wrapping_sub(1)), (x, y + 1)];
+            let is_inside = |(x, y): &(u32, u32)| *x < SIZE[0] && *y < SIZE[1];
+            seen.object(x, y) == Some(chosen)
+                && sides.iter().filter(|at| is_inside(at)).any(|(u, v)| seen.object(*u, *v) == other)
+        };
+        let outline = seen.outline(|object| object == chosen);
+        let all = middles(SIZE).filter(|(x, y, _)| meets(*x, *y)).count();
+        (outline.iter().filter(|[x, y]| meets(*x, *y)).count(), all)
+    };
+    // The floor ends at the horizon, and nowhere else.
+    let (shown, all) = beside(0, None);
+    assert!(shown == all && all > 20, "{shown} of {all}");
+    for thing in [1, 2, 3] {
+        let (shown, all) = beside(0, Some(thing));
+        assert!(all > 5 && shown <= 4, "the floor beside {thing}: {shown} of {all}");
+        let (shown, all) = beside(thing, Some(0));
+        assert!(shown == all && all > 5, "{thing} beside the floor: {shown} of {all}");
+    }
+}
+
+#[test]
 fn a_lens_finds_the_pixels_of_points_and_the_points_of_pixels() {
     let camera = scene(
         "(camera: (eye: (3, 4, 5), target: (-1, 0.5, 2), up: (0.2, 1, 0), fov_deg: 70), objects: [Sphere()])",

@@ -2,6 +2,7 @@
 //!
 //! In: a scene's pipeline and the moment of a picture. Out: [`Identity`], which answers without the GPU.
 
+use std::collections::BTreeMap;
 use std::time::Instant;
 
 use glam::{Vec2, Vec3, uvec2};
@@ -10,6 +11,9 @@ use super::lens::Lens;
 use super::slices::SLICE;
 use super::{Gpu, GpuError, Moment, Pace, Pipeline, Region, Tracer, View};
 use crate::ir;
+
+/// The cosine below which a slant no longer counts: a silhouette covers nothing.
+const SLANT: f32 = 0.1;
 
 /// The first surface along the ray through the middle of each pixel.
 #[derive(Clone, Debug)]
@@ -88,24 +92,60 @@ impl Identity {
     }
 
     /// The pixels along the border of the chosen objects, by rows from the top: on each side one, so the line
-    /// is two pixels wide. Where two chosen objects meet there is none, nor at the edge of the picture.
+    /// is two pixels wide. Where two chosen objects meet there is none, nor at the edge of the picture, nor
+    /// where something else hides the chosen, or stands on them and is less than half as large.
     pub fn outline(&self, is_chosen: impl Fn(u32) -> bool) -> Vec<[u32; 2]> {
         let [width, height] = self.size;
         let chosen: Vec<bool> =
             self.places.iter().map(|place| place[3] >= 0.0 && is_chosen(place[2] as u32)).collect();
-        let here = |x, y| chosen[self.index(x, y)];
-        let is_border = |[x, y]: &[u32; 2]| {
-            let (x, y) = (*x, *y);
-            let sides = [
-                (x.max(1) - 1, y),
-                ((x + 1).min(width - 1), y),
-                (x, y.max(1) - 1),
-                (x, (y + 1).min(height - 1)),
-            ];
-            sides.into_iter().any(|(u, v)| here(u, v) != here(x, y))
+        let areas = self.areas();
+        let area: usize = areas.iter().filter(|(object, _)| is_chosen(**object)).map(|(_, area)| area).sum();
+        let mut is_border = vec![false; chosen.len()];
+        let mut meet = |a: [u32; 2], b: [u32; 2]| {
+            let [i, j] = [a, b].map(|[x, y]| self.index(x, y));
+            let (own, other) = match (chosen[i], chosen[j]) {
+                (true, false) => (a, b),
+                (false, true) => (b, a),
+                _ => return,
+            };
+            let is_end = match (self.at(own[0], own[1]), self.at(other[0], other[1])) {
+                (Some(own), Some(other)) if self.touch(&own, &other) => area <= 2 * areas[&other.object],
+                (Some(own), Some(other)) => own.distance < other.distance,
+                _ => true,
+            };
+            is_border[i] |= is_end;
+            is_border[j] |= is_end;
         };
+        for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+            if x + 1 < width {
+                meet([x, y], [x + 1, y]);
+            }
+            if y + 1 < height {
+                meet([x, y], [x, y + 1]);
+            }
+        }
         let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
-        pixels.filter(is_border).collect()
+        pixels.filter(|[x, y]| is_border[self.index(*x, *y)]).collect()
+    }
+
+    /// How many pixels each object has.
+    fn areas(&self) -> BTreeMap<u32, usize> {
+        let mut areas = BTreeMap::new();
+        for place in self.places.iter().filter(|place| place[3] >= 0.0) {
+            *areas.entry(place[2] as u32).or_default() += 1;
+        }
+        areas
+    }
+
+    /// Whether two points that are seen beside each other lie on surfaces that meet there, and not one
+    /// before the other.
+    fn touch(&self, a: &Seen, b: &Seen) -> bool {
+        // What a pixel covers of a surface, which grows as that is seen at a slant.
+        let covers = |seen: &Seen| {
+            let toward = (self.lens.eye - seen.position).normalize_or_zero();
+            self.lens.pixel_size(seen.position) / toward.dot(seen.normal).abs().max(SLANT)
+        };
+        a.position.distance(b.position) <= covers(a) + covers(b)
     }
 
     fn index(&self, x: u32, y: u32) -> usize {
