@@ -5,7 +5,8 @@ use std::path::Path;
 
 use raytoy::app::{COMMANDS, new_scene, new_texture};
 use raytoy::compile;
-use raytoy::sources::Sources;
+
+use raytoy::sources::{Disk, Sources};
 use raytoy::wgsl::Mode;
 use tempfile::TempDir;
 
@@ -58,12 +59,17 @@ fn a_new_scene_is_right_and_takes_nothings_place() {
     assert_eq!(fs::read_to_string(&first).expect("it is there"), "mine");
 }
 
+/// The disk of a raytoy that runs in `home`.
+fn disk(home: &TempDir) -> Disk {
+    Disk { here: home.path().to_owned(), named_root: None }
+}
+
 #[test]
 fn a_new_texture_works_under_the_name_that_is_told() {
     let home = TempDir::new().expect("there is room for a folder");
     let open = home.path().join("open.ron");
     for name in ["MyTexture", "MyTexture2", "MyTexture3"] {
-        let texture = new_texture(&open).expect("the folder is writable");
+        let texture = new_texture(&disk(&home), &open).expect("the folder is writable");
         assert_eq!(texture.name, name);
         assert_eq!(texture.path.parent(), Some(home.path().join("textures").as_path()));
     }
@@ -75,10 +81,27 @@ fn a_new_texture_works_under_the_name_that_is_told() {
 }
 
 #[test]
+fn a_new_texture_goes_where_the_project_has_its_textures() {
+    let home = TempDir::new().expect("there is room for a folder");
+    let [ours, scenes] = ["textures", "scenes"].map(|folder| home.path().join(folder));
+    for folder in [&ours, &scenes] {
+        fs::create_dir(folder).expect("the folder is writable");
+    }
+    let open = scenes.join("open.ron");
+    let texture = new_texture(&disk(&home), &open).expect("the folder is writable");
+    assert_eq!((texture.path.parent(), texture.name.as_str()), (Some(ours.as_path()), "MyTexture"));
+    // Nearer ones come first, and no two are called the same.
+    let nearer = scenes.join("textures");
+    fs::create_dir(&nearer).expect("the folder is writable");
+    let texture = new_texture(&disk(&home), &open).expect("the folder is writable");
+    assert_eq!((texture.path.parent(), texture.name.as_str()), (Some(nearer.as_path()), "MyTexture2"));
+}
+
+#[test]
 fn where_nothing_can_be_written_the_reason_is_told() {
     let home = TempDir::new().expect("there is room for a folder");
     let open = home.path().join("missing/open.ron");
     assert!(new_scene(&open).is_err());
     fs::write(home.path().join("textures"), "a file").expect("the folder is writable");
-    assert!(new_texture(&home.path().join("open.ron")).is_err());
+    assert!(new_texture(&disk(&home), &home.path().join("open.ron")).is_err());
 }

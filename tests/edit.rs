@@ -56,7 +56,7 @@ fn check(
 ) -> Result<usize, String> {
     let holds = |law: bool, what: &str| if law { Ok(()) } else { Err(what.to_owned()) };
     match edit {
-        Edit::Set { path, value } => {
+        Edit::Set { path, value } | Edit::Add { path, value, .. } => {
             let now = after.at(path).ok_or("it is not there")?;
             holds(says(now, value), "it says something else")?;
             let again = edit.on(new).map_err(|r| format!("the second time: {r}"))?;
@@ -200,6 +200,27 @@ fn numbers_keep_their_style() {
         ("\"tomato\"", 0.5, "0.5"),
     ] {
         assert_eq!(after_set(&format!("(x: {old})"), "x", NewValue::Number(x)), format!("(x: {new})"));
+    }
+}
+
+#[test]
+fn a_field_is_added_in_order() {
+    let order = ["a", "b", "c", "d"].map(str::to_owned).to_vec();
+    for (before, name, after) in [
+        ("(d: 4)", "b", "(b: 1, d: 4)"),
+        ("(a: 0, d: 4)", "c", "(a: 0, c: 1, d: 4)"),
+        ("(a: 0, other: 5, d: 4)", "b", "(a: 0, other: 5, b: 1, d: 4)"),
+        ("(d: 4, a: 0)", "b", "(b: 1, d: 4, a: 0)"),
+        ("(\n    a: 0, // first\n    d: 4,\n)", "b", "(\n    a: 0, // first\n    b: 1,\n    d: 4,\n)"),
+        ("(a: 0)", "d", "(a: 0, d: 1)"),
+        ("(a: 0)", "nobody_knows", "(a: 0, nobody_knows: 1)"),
+        ("()", "b", "(b: 1)"),
+        ("(b: 2, c: 3)", "b", "(b: 1, c: 3)"),
+    ] {
+        let (path, value) = (path(name), NewValue::Number(1.0));
+        let edit = Edit::Add { path, value, order: order.clone() };
+        let change = edit.on(before).expect("it has a place");
+        assert_eq!(change.apply(before), after);
     }
 }
 

@@ -45,6 +45,11 @@ impl Document {
         self.history.as_ref().is_some_and(History::can_undo)
     }
 
+    /// Whether [`Document::undo`] takes back what an editor has saved.
+    pub fn undoes_outside(&self) -> bool {
+        self.history.as_ref().is_some_and(History::undoes_outside)
+    }
+
     pub fn can_redo(&self) -> bool {
         self.history.as_ref().is_some_and(History::can_redo)
     }

@@ -140,6 +140,11 @@ impl History {
         !self.done.is_empty()
     }
 
+    /// Whether the step that [`History::undo`] takes back happened outside.
+    pub fn undoes_outside(&self) -> bool {
+        self.done.last().is_some_and(|step| step.edits.is_none())
+    }
+
     pub fn can_redo(&self) -> bool {
         !self.undone.is_empty()
     }
@@ -243,11 +248,16 @@ fn both_ways(before: &str, after: &str) -> (TextEdit, TextEdit) {
 /// Whether one of `edits` sets the same value, with nothing behind it that has to do with that. It then sets
 /// what `edit` does.
 fn coalesced(edits: &mut [Edit], edit: &Edit) -> bool {
-    let Edit::Set { path, value } = edit else { return false };
+    let (Edit::Set { path, value } | Edit::Add { path, value, .. }) = edit else { return false };
     let is_apart = |other: &Path| !path.0.starts_with(&other.0) && !other.0.starts_with(&path.0);
-    let behind = |known: &&mut Edit| !matches!(known, Edit::Set { path, .. } if is_apart(path));
+    let behind = |known: &&mut Edit| match known {
+        Edit::Set { path, .. } | Edit::Add { path, .. } => !is_apart(path),
+        _ => true,
+    };
     match edits.iter_mut().rev().find(behind) {
-        Some(Edit::Set { path: same, value: old }) if same == path => {
+        Some(Edit::Set { path: same, value: old } | Edit::Add { path: same, value: old, .. })
+            if same == path =>
+        {
             *old = value.clone();
             true
         }

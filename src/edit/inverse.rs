@@ -16,10 +16,10 @@ pub fn inverse(edit: &Edit, before: &str, after: &str) -> Result<Edit, Refusal> 
         written(path).map(|words| Edit::Set { path: path.clone(), value: NewValue::Code(words) })
     };
     match edit {
-        Edit::Set { path, .. } if root.at(path).is_none() => {
+        Edit::Set { path, .. } | Edit::Add { path, .. } if root.at(path).is_none() => {
             Ok(Edit::Remove { path: first_missing(&root, path) })
         }
-        Edit::Set { path, .. } | Edit::Rename { path, .. } => set(path),
+        Edit::Set { path, .. } | Edit::Add { path, .. } | Edit::Rename { path, .. } => set(path),
         Edit::Remove { path } => match path.split() {
             Some((list, Step::Item(index))) => Ok(Edit::Insert { list, index: *index, item: written(path)? }),
             _ => set(path),
@@ -31,14 +31,15 @@ pub fn inverse(edit: &Edit, before: &str, after: &str) -> Result<Edit, Refusal> 
             _ => Ok(Edit::Remove { path: first_missing(&root, list) }),
         },
         Edit::Duplicate { path } => {
-            let copy = copy_of(path, &read(after)?);
+            let copy = copy_of(path, after);
             Ok(Edit::Remove { path: copy.ok_or_else(|| Refusal::NotThere(path.clone()))? })
         }
     }
 }
 
-/// Where the copy is of what is at `path`.
-fn copy_of(path: &Path, root: &Value) -> Option<Path> {
+/// Where the copy is, in the text `after`, that was made of what is at `path`.
+pub fn copy_of(path: &Path, after: &str) -> Option<Path> {
+    let root = read(after).ok()?;
     let (group, step) = path.split()?;
     let around = root.at(&group)?;
     match (step, &around.kind) {

@@ -83,7 +83,7 @@ fn is_untouched(edit: &Edit, mine: &Value, theirs: &Value) -> bool {
     match edit {
         Edit::Insert { .. } | Edit::Duplicate { .. } => true,
         Edit::Rename { .. } => name(mine) == name(theirs),
-        Edit::Set { .. } | Edit::Remove { .. } => mine.says_the_same_as(theirs),
+        Edit::Set { .. } | Edit::Add { .. } | Edit::Remove { .. } => mine.says_the_same_as(theirs),
     }
 }
 
@@ -96,6 +96,7 @@ fn is_gone(edit: &Edit, translated: Option<&Edit>, other: &Value) -> bool {
 fn path_of(edit: &Edit) -> &Path {
     match edit {
         Edit::Set { path, .. }
+        | Edit::Add { path, .. }
         | Edit::Remove { path }
         | Edit::Duplicate { path }
         | Edit::Rename { path, .. } => path,
@@ -108,6 +109,7 @@ fn translated(edit: &Edit, root: &Value, other: &Value) -> Option<Edit> {
     let mut new = edit.clone();
     match &mut new {
         Edit::Set { path, .. }
+        | Edit::Add { path, .. }
         | Edit::Remove { path }
         | Edit::Duplicate { path }
         | Edit::Rename { path, .. } => *path = counterpart(path, root, other)?,
@@ -122,6 +124,14 @@ fn translated(edit: &Edit, root: &Value, other: &Value) -> Option<Edit> {
         }
     }
     Some(new)
+}
+
+/// Where the item or entry is in the scene `after` that is at `path` in the scene `before`; None where it was
+/// taken out. Fields of a scene keep their path, written or not.
+pub fn found_at(path: &Path, before: &str, after: &str) -> Option<Path> {
+    let (Ok(root), Ok(other)) = (read(before), read(after)) else { return Some(path.clone()) };
+    let is_field = matches!(path.0.last(), None | Some(Step::Field(_)));
+    counterpart(path, &root, &other).filter(|new| is_field || other.at(new).is_some())
 }
 
 /// Where in `other` the value is that is at `path` in `root`; None where it was taken out.

@@ -19,7 +19,8 @@ use std::ops::Range;
 use glam::Vec3;
 
 pub use history::History;
-pub use merge::Conflict;
+pub use inverse::copy_of;
+pub use merge::{Conflict, found_at};
 
 use crate::diagnostic::Diagnostic;
 use crate::scene::Path;
@@ -29,6 +30,9 @@ use crate::scene::Path;
 pub enum Edit {
     /// Gives the value at `path`, and adds it where it was left out, with the groups that lead to it.
     Set { path: Path, value: NewValue },
+    /// The same, but what was left out is added before the first of its siblings that stands behind it in
+    /// `order`.
+    Add { path: Path, value: NewValue, order: Vec<String> },
     /// Takes out a field with its name, an entry of a map, or an item of a list. Of what had brackets, empty
     /// ones remain.
     Remove { path: Path },
@@ -84,7 +88,8 @@ impl Edit {
     /// Where `text` is no RON, has no place for the value, or where the value cannot be written.
     pub fn on(&self, text: &str) -> Result<TextEdit, Refusal> {
         match self {
-            Edit::Set { path, value } => place::set(text, path, value),
+            Edit::Set { path, value } => place::set(text, path, value, &[]),
+            Edit::Add { path, value, order } => place::set(text, path, value, order),
             Edit::Remove { path } => place::remove(text, path),
             Edit::Insert { list, index, item } => place::insert(text, list, *index, item),
             Edit::Duplicate { path } => place::duplicate(text, path),

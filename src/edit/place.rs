@@ -7,7 +7,8 @@ use super::siblings::Siblings;
 use super::{NewValue, Refusal, TextEdit, change, text};
 use crate::scene::{self, Field, Kind, Path, Record, Step, Value};
 
-pub fn set(text: &str, path: &Path, value: &NewValue) -> Result<TextEdit, Refusal> {
+/// A field that is added stands before the first that comes behind it in `order`.
+pub fn set(text: &str, path: &Path, value: &NewValue, order: &[String]) -> Result<TextEdit, Refusal> {
     let root = read(text)?;
     let unfit = |why| Refusal::Unfit { path: path.clone(), why };
     let mut at = &root;
@@ -15,7 +16,7 @@ pub fn set(text: &str, path: &Path, value: &NewValue) -> Result<TextEdit, Refusa
         let Some(next) = at.step(step) else {
             let words = change::write(value).map_err(unfit)?;
             let words = path.0[i + 1..].iter().rev().try_fold(words, |inner, step| alone(step, &inner));
-            let added = words.and_then(|words| add(text, at, step, &words));
+            let added = words.and_then(|words| add(text, at, step, &words, order));
             return added.ok_or_else(|| Refusal::NotThere(path.clone()));
         };
         at = next;
@@ -34,7 +35,8 @@ fn alone(step: &Step, inner: &str) -> Option<String> {
 }
 
 /// `words` as the new value that `step` leads to in `group`; None where such a group has none.
-fn add(text: &str, group: &Value, step: &Step, words: &str) -> Option<TextEdit> {
+fn add(text: &str, group: &Value, step: &Step, words: &str, order: &[String]) -> Option<TextEdit> {
+    let before = place_in(group, step, order);
     let words = match (step, &group.kind) {
         (Step::Field(name), Kind::Record(record)) if record.items.is_empty() => {
             // A name that is none would spoil the text.
@@ -46,9 +48,16 @@ fn add(text: &str, group: &Value, step: &Step, words: &str) -> Option<TextEdit> 
         _ => return None,
     };
     Some(match Siblings::of(text, group) {
-        Some(siblings) => siblings.insert(siblings.len(), &words),
+        Some(siblings) => siblings.insert(before.unwrap_or(siblings.len()), &words),
         None => TextEdit::insert(group.span.end, format!("({words})")),
     })
+}
+
+/// The first of the fields of `group` that stands behind `step` in `order`.
+fn place_in(group: &Value, step: &Step, order: &[String]) -> Option<usize> {
+    let (Step::Field(name), Kind::Record(record)) = (step, &group.kind) else { return None };
+    let later = &order[1 + order.iter().position(|known| known == name)?..];
+    record.fields.iter().position(|field| later.contains(&field.name.text))
 }
 
 /// The shortest beginning of `path` that leads nowhere, or all of it.
@@ -73,7 +82,7 @@ pub fn insert(text: &str, list: &Path, index: usize, item: &str) -> Result<TextE
             Ok(siblings.insert(index.min(items.len()), &words))
         }
         Some(_) => Err(Refusal::NotThere(list.clone())),
-        None => set(text, list, &NewValue::Code(format!("[{words}]"))),
+        None => set(text, list, &NewValue::Code(format!("[{words}]")), &[]),
     }
 }
 

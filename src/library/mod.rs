@@ -120,6 +120,12 @@ impl<'a> Library<'a> {
         stems.iter().map(|stem| function::name_of(stem)).collect()
     }
 
+    /// The files beside the scene and below that end in one of `extensions`, as scenes write them, nearest
+    /// first.
+    pub fn files(&self, extensions: &[&str]) -> Vec<String> {
+        self.reach.files_below(extensions)
+    }
+
     /// The picture in `file`, which lies beside the scene unless its path says otherwise.
     ///
     /// # Errors

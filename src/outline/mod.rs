@@ -2,6 +2,7 @@
 //!
 //! In: a [`Value`], its text, and the [`Library`]. Out: an [`Outline`], whose paths [`crate::edit`] takes.
 
+mod becoming;
 mod controls;
 mod names;
 mod nodes;
@@ -13,7 +14,8 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
-pub use names::{Names, Role, example, fields_of};
+pub use becoming::{Becoming, becoming};
+pub use names::{Names, Needed, Role, example, needed_file};
 
 use crate::library::Library;
 use crate::scene::{Path, Value};
@@ -191,6 +193,48 @@ impl Outline {
     /// The shape that is `ir::Scene::objects[index]`.
     pub fn object(&self, index: usize) -> Option<&Node> {
         self.all_nodes().into_iter().find(|node| node.object == Some(index))
+    }
+
+    /// The names, in the order of the signature, among which stands what must be written for there to be a
+    /// value at `path`; none where there is one.
+    pub fn order_at(&self, path: &Path) -> Vec<String> {
+        let leads = |own: &Path| path.0.starts_with(&own.0);
+        let (mut nodes, mut fields) = (&self.nodes, vec![]);
+        while let Some(node) = nodes.iter().find(|node| leads(&node.path)) {
+            if node.span.is_none() {
+                return nodes.iter().map(|node| node.label.clone()).collect();
+            }
+            fields = node.fields.iter().collect();
+            nodes = &node.nodes;
+        }
+        while let Some(field) = fields.iter().find(|field| leads(&field.path)) {
+            if field.span.is_none() {
+                return fields.iter().map(|field| field.label.clone()).collect();
+            }
+            fields = field.fields();
+        }
+        vec![]
+    }
+
+    /// The fields that say the name of `node`, which declares a texture or a material.
+    pub fn uses(&self, node: &Node) -> Vec<&Field> {
+        fn collect<'f>(field: &'f Field, is_use: &dyn Fn(&Field) -> bool, found: &mut Vec<&'f Field>) {
+            found.extend(is_use(field).then_some(field));
+            field.fields().into_iter().for_each(|inner| collect(inner, is_use, found));
+        }
+        let declared = match node.kind {
+            NodeKind::Material => &self.names.declared_materials,
+            _ => &self.names.declared_textures,
+        };
+        let says =
+            |field: &Field| matches!(&field.control, Control::Reference { name } if *name == node.label);
+        // A texture and a material may share a name.
+        let is_use = |field: &Field| says(field) && Arc::ptr_eq(&field.declared, declared);
+        let mut found = vec![];
+        for field in self.all_nodes().into_iter().flat_map(|node| &node.fields) {
+            collect(field, &is_use, &mut found);
+        }
+        found
     }
 
     /// The innermost node that the byte `at` of the text is in.

@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::ir::fields::{
-    EVERY_LIGHT, EVERY_OBJECT, EVERY_SOLID, EVERY_TEXTURE, FORMS, Field, Group, LIGHTS, OPERATIONS,
-};
+use crate::ir::fields::{FORMS, Field, Group, LIGHTS, OPERATIONS, Takes};
 use crate::library::{Family, Kind, Library, Parameter, Type};
 use crate::scene::{self, Path, Value};
 
@@ -65,35 +63,51 @@ pub enum Role {
     Texture,
 }
 
-/// RON text with `name` and no more than it must be given, to be put into a scene; None for a name that
-/// nobody knows.
-pub fn example(role: Role, name: &str, library: &Library<'_>) -> Option<String> {
+/// A file that something cannot be without.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Needed {
+    /// Of the field that names it.
+    pub field: String,
+    /// In prose.
+    pub noun: &'static str,
+    /// In which such files end.
+    pub extensions: &'static [&'static str],
+}
+
+/// The file that a `name` must be given, if any.
+pub fn needed_file(role: Role, name: &str, library: &Library<'_>) -> Option<Needed> {
     if let Some(group) = role.group(name) {
-        return Some(group.example.to_owned());
+        let is_file = |field: &&Field| matches!(field.takes, Takes::File) && field.is_required;
+        let field = group.fields.iter().find(is_file)?.name.to_owned();
+        return Some(Needed { field, noun: "picture", extensions: &["png", "jpg", "jpeg", "hdr"] });
+    }
+    let function = library.find(role.family()?, name).ok()?;
+    let field = function.parameters.iter().find(|parameter| parameter.ty == Type::Model)?.name.clone();
+    Some(Needed { field, noun: "model", extensions: &["obj", "glb"] })
+}
+
+/// RON text with `name` and no more than it must be given, to be put into a scene; None for a name that
+/// nobody knows. Of files it names the nearest that is there.
+pub fn example(role: Role, name: &str, library: &Library<'_>) -> Option<String> {
+    let needed = needed_file(role, name, library);
+    let file =
+        needed.and_then(|needed| Some((needed.field, library.files(needed.extensions).into_iter().next()?)));
+    if let Some(group) = role.group(name) {
+        let given = file.map(|(field, file)| format!("{name}({field}: {file:?})"));
+        return Some(given.unwrap_or_else(|| group.example.to_owned()));
     }
     let function = library.find(role.family()?, name).ok()?;
     let required = function.parameters.iter().filter(|parameter| parameter.default.is_none());
-    let given = required.enumerate().map(|(i, p)| format!("{}: {}", p.name, any(p, i)));
+    let given = required.enumerate().map(|(i, p)| match &file {
+        Some((field, file)) if *field == p.name => format!("{field}: {file:?}"),
+        _ => format!("{}: {}", p.name, any(p, i)),
+    });
     Some(format!("{name}({})", given.collect::<Vec<_>>().join(", ")))
-}
-
-/// The fields that a `name` can have; of a name that nobody knows, those that all others have, too.
-pub fn fields_of(role: Role, name: &str, library: &Library<'_>) -> Vec<String> {
-    let every: &[&[Field]] = match role {
-        Role::Light => &[EVERY_LIGHT],
-        Role::Solid => &[EVERY_SOLID, EVERY_OBJECT],
-        Role::Texture => &[EVERY_TEXTURE],
-    };
-    let function = role.family().and_then(|family| library.find(family, name).ok());
-    let parameters = function.iter().flat_map(|function| &function.parameters).map(|p| p.name.clone());
-    let own = role.group(name).map_or(&[][..], |group| group.fields);
-    let listed = every.iter().copied().flatten().chain(own).map(|field| field.name.to_owned());
-    parameters.chain(listed).collect()
 }
 
 impl Role {
     /// The one in the tables with this name.
-    fn group(self, name: &str) -> Option<&'static Group> {
+    pub(super) fn group(self, name: &str) -> Option<&'static Group> {
         match self {
             Role::Light => LIGHTS.iter().find(|group| group.name == name),
             Role::Solid => OPERATIONS.iter().map(|(group, _)| group).find(|group| group.name == name),
@@ -102,7 +116,7 @@ impl Role {
     }
 
     /// Where the others are found.
-    fn family(self) -> Option<Family> {
+    pub(super) fn family(self) -> Option<Family> {
         match self {
             Role::Light => None,
             Role::Solid => Some(Family::Shape),

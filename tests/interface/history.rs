@@ -67,6 +67,27 @@ fn what_an_editor_saves_meanwhile_is_merged() {
 }
 
 #[test]
+fn what_an_editor_has_saved_is_not_undone_unasked() {
+    let mut studio = edited(false);
+    let outside = changed().replace("min: (-2, 0, 0)", "min: (-5, 0, 0)");
+    studio.save(&outside);
+    studio.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(studio.text(), outside);
+    assert!(studio.says("the next undo takes back what your editor has saved"));
+    // Something else in between, and it is asked again.
+    studio.key(Modifiers::NONE, Key::G);
+    studio.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(studio.text(), outside);
+    studio.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(studio.text(), changed());
+    studio.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(studio.text(), SCENE);
+    studio.key(Modifiers::COMMAND, Key::Y);
+    studio.key(Modifiers::COMMAND, Key::Y);
+    assert_eq!(studio.text(), outside);
+}
+
+#[test]
 fn what_both_have_changed_is_the_authors_choice() {
     for with_mine in [true, false] {
         let mut studio = edited(true);

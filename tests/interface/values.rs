@@ -238,6 +238,7 @@ fn a_texture_is_chosen_by_its_name_and_brings_its_own_values() {
     assert!(studio.find(Role::Group, "specular").query_by(is(Role::SpinButton, "scale")).is_some());
     // A number or a color becomes a texture, and a texture that has a name.
     studio.pick((Role::Button, "more for reflectivity"), "Fbm");
+    assert_eq!(studio.text(), SCENE.replace("Wave(shape: Saw)", "Noise()").replace("0.25", "Fbm()"));
     assert!(studio.text().contains("reflectivity: Fbm()"), "{}", studio.text());
     studio.pick((Role::Button, "more for color"), "\"tiles\"");
     assert!(studio.text().contains("color: \"tiles\""), "{}", studio.text());
@@ -245,6 +246,50 @@ fn a_texture_is_chosen_by_its_name_and_brings_its_own_values() {
     studio.choose("block");
     studio.pick((Role::ComboBox, "material"), "clay");
     assert!(studio.text().contains("material: \"clay\""), "{}", studio.text());
+}
+
+#[test]
+fn another_texture_keeps_what_both_have() {
+    let becomes = |old: &str, new: &str| {
+        let scene = format!("(objects: [Sphere(name: \"ball\", material: (color: {old}))])\n");
+        let mut studio = Studio::open(&scene);
+        studio.choose("ball");
+        studio.pick((Role::ComboBox, "color"), new);
+        assert!(!studio.has(Role::Alert, "mistakes"), "{old} as {new}: {}", studio.text());
+        let text = studio.text();
+        let call =
+            text.split_once("(color: ").expect("it has one").1.trim_end().trim_end_matches("))])").to_owned();
+        studio.key(Modifiers::COMMAND, Key::Z);
+        assert_eq!(studio.text(), scene, "it is one step");
+        call
+    };
+    let brick = "Brick(scale: 3, clay: 0.5, at: Planar(), joint: \"red\")";
+    assert_eq!(becomes(brick, "Leopard"), "Leopard(scale: 3, at: Planar())");
+    assert_eq!(
+        becomes("Checker(scale: 2, odd: \"tomato\")", "Stripes"),
+        "Stripes(scale: 2, odd: \"tomato\")"
+    );
+    assert_eq!(
+        becomes("Noise(at: Turbulence(scale: 2))", "Triplanar"),
+        "Triplanar(of: Brick(), at: Turbulence(scale: 2))"
+    );
+    assert_eq!(becomes("Ramp(by: Noise(), stops: [(0, 0), (1, 1)])", "Noise"), "Noise()");
+}
+
+#[test]
+fn what_is_added_stands_in_the_order_of_the_signature() {
+    let mut studio = Studio::open("(objects: [Sphere(name: \"ball\", material: (reflectivity: 0.5))])\n");
+    studio.choose("ball");
+    studio.fill(Role::SpinButton, "radius", "2");
+    studio.fill(Role::SpinButton, "specular", "1");
+    studio.fill(Role::SpinButton, "translate x", "3");
+    studio.fill(Role::SpinButton, "center y", "4");
+    let object = "Sphere(name: \"ball\", center: (0, 4, 0), radius: 2, material: (specular: 1, reflectivity: 0.5), \
+                  translate: (3, 0, 0))";
+    assert_eq!(studio.text(), format!("(objects: [{object}])\n"));
+    studio.choose("camera");
+    studio.fill(Role::SpinButton, "fov_deg", "30");
+    assert_eq!(studio.text(), format!("(camera: (fov_deg: 30), objects: [{object}])\n"));
 }
 
 #[test]

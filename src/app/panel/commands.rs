@@ -12,6 +12,9 @@ use crate::edit::{Edit, NewValue};
 use crate::gpu::View;
 use crate::outline::NodeKind;
 
+/// Told before an undo that takes back what was done elsewhere.
+const OUTSIDE: &str = "the next undo takes back what your editor has saved: undo again to do so";
+
 impl Panel {
     /// Does what the keys say that were pressed.
     pub(super) fn keys(&mut self, ui: &Ui, deeds: &mut Deeds) {
@@ -116,11 +119,15 @@ impl Panel {
     }
 
     pub(super) fn perform(&mut self, command: Command, context: &Context, deeds: &mut Deeds) {
-        self.notice = None;
+        let told = self.notice.take();
         match command {
             Command::Gallery => self.toggle_gallery(),
             Command::NewScene => self.leave(Leaving::NewScene),
             Command::NewTexture => self.notice = Some(self.new_texture()),
+            // It is not the hand's own work here that would be lost.
+            Command::Undo if self.document.undoes_outside() && told.as_deref() != Some(OUTSIDE) => {
+                self.notice = Some(OUTSIDE.into());
+            }
             Command::Undo => deeds.undo = true,
             Command::Redo => deeds.redo = true,
             Command::OnlyTry => self.document.tries_only = !self.document.tries_only,
@@ -155,7 +162,7 @@ impl Panel {
 
     /// Writes a texture and opens it; what to tell of it.
     fn new_texture(&self) -> String {
-        match templates::new_texture(&self.scene) {
+        match templates::new_texture(&self.disk, &self.scene) {
             Ok(texture) => {
                 let file = texture.path.display();
                 let told = format!("{file} is written; scenes say {}()", texture.name);

@@ -14,8 +14,11 @@ const LABELS: f32 = 104.0;
 pub struct Fields<'a> {
     pub edits: &'a mut Vec<Edit>,
     pub pending: &'a Pending,
-    /// RON text of a texture or mapping with no more than it must be given.
-    pub example: &'a dyn Fn(&str) -> String,
+    /// RON text of a texture or mapping with no more than it must be given; None where a file for it is
+    /// missing.
+    pub example: &'a dyn Fn(&str) -> Option<String>,
+    /// What makes another texture of one: its field, name and fields, and the new name.
+    pub becomes: &'a dyn Fn(&Field, &str, &[Field], &str) -> Vec<Edit>,
 }
 
 impl Fields<'_> {
@@ -89,7 +92,7 @@ impl Fields<'_> {
                 egui::ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
                     for name in field.calls.iter() {
                         if ui.button(name).clicked() {
-                            self.set(field, NewValue::Code((self.example)(name)));
+                            self.call(field, name);
                             ui.close();
                         }
                     }
@@ -156,7 +159,7 @@ impl Fields<'_> {
 
     fn texture(&mut self, ui: &mut Ui, field: &Field, name: Option<&str>, doc: &str) {
         if let Some(chosen) = pick(ui, field, name.unwrap_or("none"), field.calls.iter()) {
-            self.set(field, NewValue::Code((self.example)(&chosen)));
+            self.call(field, &chosen);
         }
         if !doc.is_empty() {
             ui.label(RichText::new("?").weak()).on_hover_text(doc);
@@ -183,6 +186,20 @@ impl Fields<'_> {
                     self.edits.push(Edit::Remove { path });
                 }
             });
+        }
+    }
+
+    /// Puts the texture `name` into a field, with the values of the one that is there.
+    fn call(&mut self, field: &Field, name: &str) {
+        match &field.control {
+            Control::Texture { name: Some(old), .. } if old == name => {}
+            Control::Texture { name: Some(old), fields, .. } => {
+                self.edits.extend((self.becomes)(field, old, fields, name));
+            }
+            _ => {
+                let words = (self.example)(name);
+                words.into_iter().for_each(|words| self.set(field, NewValue::Code(words)));
+            }
         }
     }
 

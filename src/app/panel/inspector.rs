@@ -1,24 +1,31 @@
 //! The scene's tree, and below it all values of what is chosen there.
 
+use std::cell::RefCell;
 use std::path::Path;
 
 use egui::{RichText, Ui};
 
 use super::fields::Fields;
 use super::tree::Tree;
-use super::{Deeds, Panel, picking, widgets};
-use crate::edit::Edit;
+use super::{Deeds, Panel, changing, picking, widgets};
 use crate::library::Library;
-use crate::outline::{self, Node, NodeKind, Role};
+use crate::outline::{self, Field, Node, NodeKind, Role};
 use crate::sources::Disk;
 
 impl Panel {
     pub(super) fn inspector(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
         self.conflicts(ui, deeds);
-        let Some((outline, _)) = self.outline.take() else { return };
+        let Some((outline, text)) = self.outline.take() else { return };
         let scene = self.scene.clone();
         let disk = self.disk.clone();
-        let example = move |role: Role, name: &str| example(&disk, &scene, role, name);
+        let lacking = RefCell::default();
+        let example = |role: Role, name: &str| match example(&disk, &scene, role, name) {
+            Ok(words) => Some(words),
+            Err(why) => {
+                lacking.replace(Some(why));
+                None
+            }
+        };
         let search =
             egui::TextEdit::singleline(&mut self.wanted).hint_text("find").desired_width(f32::INFINITY);
         ui.add(search).accessible_name("find in the scene");
@@ -30,7 +37,7 @@ impl Panel {
             .show(ui, |ui| {
                 let Deeds { edits, .. } = deeds;
                 let (selected, wanted) = (&mut self.selected, self.wanted.as_str());
-                Tree { edits, selected, wanted, example: &example }.show(ui, &outline);
+                Tree { edits, selected, wanted, example: &example, text: &text }.show(ui, &outline);
             });
         ui.separator();
         let chosen = self.selected.as_ref().and_then(|path| picking::find(&outline.nodes, path));
@@ -43,21 +50,35 @@ impl Panel {
                 }
             },
         );
-        let text = self.document.text().unwrap_or_default().into();
+        if let Some(why) = lacking.take() {
+            self.notice = Some(why);
+        }
         self.outline = Some((outline, text));
     }
 
-    fn node(&mut self, ui: &mut Ui, node: &Node, deeds: &mut Deeds, example: &dyn Fn(Role, &str) -> String) {
+    fn node(
+        &mut self,
+        ui: &mut Ui,
+        node: &Node,
+        deeds: &mut Deeds,
+        example: &dyn Fn(Role, &str) -> Option<String>,
+    ) {
         ui.horizontal(|ui| {
             ui.label(RichText::new(&node.label).strong().size(14.0));
             if !node.names.is_empty() {
-                self.rename(ui, node, deeds);
+                self.rename(ui, node, deeds, example);
             }
         });
         ui.label(RichText::new(&node.doc).weak().small());
         ui.add_space(4.0);
         let texture = |name: &str| example(Role::Texture, name);
-        let mut fields = Fields { edits: &mut deeds.edits, pending: &self.pending, example: &texture };
+        let place = (&self.disk, self.scene.as_path());
+        let becomes = |field: &Field, old: &str, fields: &[Field], name: &str| match texture(name) {
+            Some(_) => changing::replaced(place, field, old, fields, name),
+            None => vec![],
+        };
+        let (edits, pending) = (&mut deeds.edits, &self.pending);
+        let mut fields = Fields { edits, pending, example: &texture, becomes: &becomes };
         widgets::group(ui, &node.label, |ui| fields.show(ui, &node.fields));
         if node.kind == NodeKind::Camera {
             self.bookmarks(ui);
@@ -65,18 +86,21 @@ impl Panel {
     }
 
     /// What kind of thing it is, which can be another one.
-    fn rename(&self, ui: &mut Ui, node: &Node, deeds: &mut Deeds) {
+    fn rename(
+        &self,
+        ui: &mut Ui,
+        node: &Node,
+        deeds: &mut Deeds,
+        example: &dyn Fn(Role, &str) -> Option<String>,
+    ) {
+        let role = if node.kind == NodeKind::Light { Role::Light } else { Role::Solid };
         let shown = node.name.as_deref().unwrap_or_default();
         let menu = egui::ComboBox::from_id_salt("kind").selected_text(shown);
         let shown = menu.show_ui(ui, |ui| {
             for name in node.names.iter() {
-                if ui.selectable_label(name == shown, name).clicked() && name != shown {
-                    let role = if node.kind == NodeKind::Light { Role::Light } else { Role::Solid };
-                    let keep = with_library(&self.disk, &self.scene, |library| {
-                        outline::fields_of(role, name, library)
-                    });
-                    let (path, name) = (node.path.clone(), name.clone());
-                    deeds.edits.push(Edit::Rename { path, name, keep });
+                let is_new = ui.selectable_label(name == shown, name).clicked() && name != shown;
+                if is_new && example(role, name).is_some() {
+                    deeds.edits.extend(changing::renamed((&self.disk, &self.scene), node, name));
                 }
             }
         });
@@ -111,13 +135,24 @@ impl Panel {
 }
 
 /// RON text of a `name` with no more than it must be given.
-fn example(disk: &Disk, scene: &Path, role: Role, name: &str) -> String {
-    let known = with_library(disk, scene, |library| outline::example(role, name, library));
-    known.unwrap_or_else(|| format!("{name}()"))
+///
+/// # Errors
+/// Which file is missing for it.
+fn example(disk: &Disk, scene: &Path, role: Role, name: &str) -> Result<String, String> {
+    with_library(disk, scene, |library| {
+        let needed = outline::needed_file(role, name, library);
+        match needed.filter(|needed| library.files(needed.extensions).is_empty()) {
+            Some(needed) => {
+                let (noun, endings) = (needed.noun, needed.extensions.join(", ."));
+                Err(format!("{name} shows a {noun}: put a file (.{endings}) into the scene's folder first"))
+            }
+            None => Ok(outline::example(role, name, library).unwrap_or_else(|| format!("{name}()"))),
+        }
+    })
 }
 
 /// Asks for what `scene` can name.
-fn with_library<T>(disk: &Disk, scene: &Path, ask: impl FnOnce(&Library<'_>) -> T) -> T {
+pub fn with_library<T>(disk: &Disk, scene: &Path, ask: impl FnOnce(&Library<'_>) -> T) -> T {
     let sources = disk.sources();
     ask(&Library::new(&sources, scene.parent().unwrap_or(Path::new(""))))
 }

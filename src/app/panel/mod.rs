@@ -5,6 +5,7 @@
 mod bar;
 mod bookmarks;
 mod capture;
+mod changing;
 mod commands;
 mod deeds;
 mod divider;
@@ -92,6 +93,8 @@ pub struct Panel {
     outline: Option<(Box<Outline>, Arc<str>)>,
     pending: Pending,
     selected: Option<scene::Path>,
+    /// What was chosen before something new was.
+    left: Option<scene::Path>,
     /// What the names in the tree are to have in them.
     wanted: String,
     compiled: Option<Arc<Compiled>>,
@@ -158,6 +161,7 @@ impl Panel {
             outline: None,
             pending: Pending::default(),
             selected: None,
+            left: None,
             wanted: String::new(),
             compiled: None,
             shader: shader::Tab::default(),
@@ -215,7 +219,9 @@ impl Panel {
 
     /// The scene's file holds another text than before.
     pub fn file_says(&mut self, text: &str) -> Order {
+        let before = self.document.text().map(str::to_owned);
         self.document.file_says(text);
+        self.follow_choice(before.as_deref());
         Order::Edited(self.document.overlay())
     }
 

@@ -13,7 +13,7 @@ pub struct Pending(BTreeMap<Path, NewValue>);
 
 impl Pending {
     pub fn note(&mut self, edit: &Edit) {
-        if let Edit::Set { path, value } = edit {
+        if let Edit::Set { path, value } | Edit::Add { path, value, .. } = edit {
             self.0.insert(path.clone(), value.clone());
         }
     }

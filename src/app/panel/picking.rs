@@ -112,7 +112,9 @@ impl Panel {
             let whole = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
             ui.painter().image(texture.id(), area, whole, Color32::WHITE);
         }
-        if let Some(seen) = self.picking.seen {
+        let is_chosen =
+            |seen: &Seen| self.chosen().is_some_and(|node| node.object == Some(seen.object as usize));
+        if let Some(seen) = self.picking.seen.filter(is_chosen) {
             self.say(ui, area, &seen);
         }
     }

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use egui::accesskit::Role as WidgetRole;
 use egui::{Align, Color32, Layout, Rect, RichText, Sense, Ui, Vec2, WidgetInfo};
 
-use crate::edit::Edit;
+use crate::edit::{Edit, NewValue};
 use crate::outline::{Node, NodeKind, Outline, Role};
-use crate::scene::Path;
+use crate::scene::{Path, parse};
 
 /// Lays out the nodes of an outline.
 pub struct Tree<'a> {
@@ -15,8 +15,10 @@ pub struct Tree<'a> {
     pub selected: &'a mut Option<Path>,
     /// Only nodes with this in their name, if it is not empty.
     pub wanted: &'a str,
-    /// RON text of something new with no more than it must be given.
-    pub example: &'a dyn Fn(Role, &str) -> String,
+    /// RON text of something new with no more than it must be given; None where a file for it is missing.
+    pub example: &'a dyn Fn(Role, &str) -> Option<String>,
+    /// Of the scene.
+    pub text: &'a str,
 }
 
 impl Tree<'_> {
@@ -128,19 +130,42 @@ impl Tree<'_> {
         let is_item = matches!(node.kind, NodeKind::Light | NodeKind::Object | NodeKind::Combination)
             || matches!(node.kind, NodeKind::Texture | NodeKind::Material);
         if is_item {
-            response.context_menu(|ui| self.item_menu(ui, node));
+            response.context_menu(|ui| self.item_menu(ui, node, outline));
         }
     }
 
-    fn item_menu(&mut self, ui: &mut Ui, node: &Node) {
+    fn item_menu(&mut self, ui: &mut Ui, node: &Node, outline: &Outline) {
         if ui.button("Duplicate").clicked() {
             self.edits.push(Edit::Duplicate { path: node.path.clone() });
             ui.close();
         }
-        if ui.button("Remove").clicked() {
+        let uses = match node.kind {
+            NodeKind::Texture | NodeKind::Material => outline.uses(node),
+            _ => vec![],
+        };
+        let paths: Vec<String> = uses.iter().map(|field| field.path.to_string()).collect();
+        let remove = ui.button(match paths.len() {
+            0 => "Remove".to_owned(),
+            1 => "Remove, and write it out where it is used".to_owned(),
+            count => format!("Remove, and write it out in {count} places"),
+        });
+        let remove = if paths.is_empty() { remove } else { remove.on_hover_text(paths.join("\n")) };
+        if remove.clicked() {
+            if let Some(words) = self.words(node) {
+                self.edits.extend(uses.iter().map(|field| Edit::Set {
+                    path: field.path.clone(),
+                    value: NewValue::Code(words.clone()),
+                }));
+            }
             self.edits.push(Edit::Remove { path: node.path.clone() });
             ui.close();
         }
+    }
+
+    /// What a declared texture or material says, without its name.
+    fn words(&self, node: &Node) -> Option<String> {
+        let root = parse("", self.text).ok()?;
+        root.at(&node.path).map(|value| self.text[value.span.clone()].to_owned())
     }
 
     /// A menu of what the list `node` could have one more of.
@@ -156,10 +181,9 @@ impl Tree<'_> {
             egui::ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
                 for name in kinds.iter() {
                     if ui.button(name).clicked() {
-                        let item = (self.example)(role, name);
                         let (list, index) = (node.path.clone(), node.nodes.len());
-                        *self.selected = Some(list.item(index));
-                        self.edits.push(Edit::Insert { list, index, item });
+                        let item = (self.example)(role, name);
+                        self.edits.extend(item.map(|item| Edit::Insert { list, index, item }));
                         ui.close();
                     }
                 }

@@ -137,7 +137,6 @@ impl Panel {
         let Some((outline, _)) = &self.outline else { return };
         let Some(objects) = outline.nodes.iter().find(|node| node.kind == NodeKind::Objects) else { return };
         let (list, index) = (objects.path.clone(), objects.nodes.len());
-        self.selected = Some(list.item(index));
         deeds.edits.push(Edit::Insert { list, index, item });
     }
 }
