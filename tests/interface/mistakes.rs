@@ -7,7 +7,7 @@ use std::{env, fs, thread};
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::kittest::{AccessKitNode, NodeT, Queryable};
 use tempfile::TempDir;
 
 use super::SCENE;
@@ -47,6 +47,9 @@ fn again(name: &str, has_editor: bool) {
         .expect("it is writable");
     let editor = if has_editor { format!("sh {}", script.display()) } else { String::new() };
     let mut process = Command::new(env::current_exe().expect("it runs"));
+    if !has_editor {
+        process.env("PATH", home.path());
+    }
     process.args([name, "--exact"]).env(TOLD, &told).env("VISUAL", editor).env_remove("EDITOR");
     let output = process.output().expect("it can run again");
     let said = String::from_utf8_lossy(&output.stdout);
@@ -123,6 +126,8 @@ fn without_an_editor_it_is_told_how_to_name_one() {
     studio.harness.get_by(|own| own.label().is_some_and(|name| name.ends_with("scene.ron:3"))).click();
     studio.leave();
     assert!(studio.says("set VISUAL or EDITOR to your editor, such as `code` or `vim`"));
+    let alert = studio.find(Role::Alert, "mistakes");
+    assert!(studio.lines(&alert).iter().any(|line| line.contains("set VISUAL")), "it stands beside the link");
 }
 
 #[test]
@@ -136,4 +141,23 @@ fn a_new_texture_is_written_and_opened() {
     let texture = studio.home.path().join("textures/my_texture.wgsl");
     assert!(texture.is_file() && studio.says("scenes say MyTexture()"));
     assert_eq!(told(file.as_ref()).trim(), format!("+1 {}", texture.display()));
+}
+
+#[test]
+fn each_mistake_is_a_card_with_its_help_in_sight_in_a_small_window_too() {
+    let mut studio = Studio::open(SCENE);
+    studio.harness.set_size(egui::vec2(800.0, 600.0));
+    studio.save("(objects: [Spere(radius: 1), Box(scale: (1, 2)), Sphere(radios: 2)])");
+    let place = studio.find(Role::Alert, "mistakes").rect();
+    assert!(place.height() > 200.0 && place.top() > 150.0, "{place:?}");
+    let words = ["help: did you mean `Sphere`?", "help: did you mean `radius`?"];
+    for words in words {
+        let says_it =
+            |own: &AccessKitNode<'_>| own.role() == Role::Label && own.value().as_deref() == Some(words);
+        let help = studio.harness.get_by(says_it);
+        assert!(
+            place.left() < help.rect().left() && help.rect().right() < place.right(),
+            "{words} is wrapped"
+        );
+    }
 }

@@ -46,7 +46,7 @@ impl Panel {
     }
 
     fn main_menu(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
-        let title = egui::Button::new(RichText::new("raytoy").strong().size(15.0)).frame(false);
+        let title = egui::Button::new(RichText::new("☰ raytoy").strong().size(15.0));
         egui::containers::menu::MenuButton::from_button(title).ui(ui, |ui| {
             ui.set_min_width(180.0);
             self.menu_item(ui, Command::Gallery, deeds);

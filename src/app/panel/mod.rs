@@ -101,7 +101,7 @@ pub struct Panel {
     shader: shader::Tab,
     facts: Vec<(&'static str, String)>,
     /// Mistakes, or warnings of a scene that is shown.
-    report: Option<(Report, String)>,
+    report: Option<mistakes::Told>,
     /// Where drawing is slow, how slow.
     pub slow: Option<Slow>,
     pub dialog: capture::Dialog,
@@ -238,14 +238,13 @@ impl Panel {
     /// Whether there is something else to see than before.
     pub fn mend(&mut self, warnings: &Report) -> bool {
         let told = self.report.take();
-        self.report = (!warnings.diagnostics.is_empty()).then(|| (warnings.clone(), warnings.to_string()));
+        self.report = (!warnings.diagnostics.is_empty()).then(|| mistakes::Told::new(warnings.clone()));
         told.is_some() || self.report.is_some()
     }
 
     /// The scene is wrong: the picture stays, the mistakes come over it.
     pub fn break_with(&mut self, report: Report) {
-        let text = report.to_string();
-        self.report = Some((report, text));
+        self.report = Some(mistakes::Told::new(report));
     }
 
     /// Lays everything out around `picture`.

@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui::{Color32, PointerButton, Sense, TextureId, Ui, WidgetInfo};
 use glam::Vec2;
 
-use super::{Panel, mistakes, slowness};
+use super::{Panel, slowness};
 use crate::app::camera;
 use crate::app::messages::Look;
 
@@ -35,12 +35,7 @@ impl Panel {
         self.draw_handles(ui, &response, area);
         self.divide(ui, area);
         self.magnify(ui, area, response.hover_pos(), picture);
-        if let Some((report, text)) = self.report.take() {
-            if let Some(problem) = mistakes::show(ui, area, &report, &text) {
-                self.open_place(&report, &problem);
-            }
-            self.report = Some((report, text));
-        }
+        self.mistakes(ui, area);
         let pixels = |points_long: f32| (points_long * points).round() as u32;
         let size = [pixels(area.width()), pixels(area.height())];
         if let Some(slow) = &self.slow {

@@ -5,10 +5,10 @@ use std::time::Duration;
 use egui::accesskit::Role;
 use egui::{Align2, Area, Color32, Frame, Id, ProgressBar, Rect, RichText, Ui, vec2};
 
+use super::style::PALE;
 use crate::app::messages::Slow;
 
 const WIDTH: f32 = 310.0;
-const PALE: Color32 = Color32::from_gray(225);
 const HELP: &str = "It is drawn piece by piece, and you can go on working. The view `cost` shows where the \
                     time goes: fewer shadow_samples, max_bounces or objects, bounds around them, or a \
                     smaller window take less.";
