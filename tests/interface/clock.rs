@@ -72,3 +72,16 @@ fn the_hand_takes_it_anywhere() {
     assert_eq!(studio.look().clock, Clock::Stopped(12.5));
     assert_eq!(studio.find(Role::SpinButton, "time").value().as_deref(), Some("12.50 s"));
 }
+
+#[test]
+fn it_begins_when_a_scene_that_moves_is_first_seen() {
+    let files = [("scene.ron", SCENE), ("textures/pulse.wgsl", PULSE)];
+    let mut studio = Studio::open_among(&files, Default::default());
+    let Clock::Running { at: opened, .. } = studio.look().clock else { panic!("it is to run") };
+    studio.save(MOVING);
+    let Clock::Running { then: 0.0, at } = studio.look().clock else { panic!("it is to begin") };
+    assert!(at > opened, "what a still scene took does not count");
+    studio.save(&MOVING.replace("Sphere(", "Sphere(radius: 2, "));
+    let Clock::Running { at: later, .. } = studio.look().clock else { panic!("it is to run") };
+    assert_eq!(later, at, "an edit of a scene that moves lets it run on");
+}

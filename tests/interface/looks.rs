@@ -4,16 +4,17 @@ use std::time::Duration;
 
 use egui::accesskit::Role;
 use egui::{
-    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, vec2,
+    Color32, Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, Rgba,
+    TouchPhase, vec2,
 };
-use egui_kittest::kittest::NodeT;
+use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{Vec2, Vec3};
 use raytoy::app::handles::{Handle, Tripod};
 use raytoy::app::{Focus, Slow};
 use raytoy::gpu::{Lens, View};
 
 use super::SCENE;
-use super::studio::Studio;
+use super::studio::{Studio, is};
 
 /// The picture's place in the window, and the lens before it.
 fn picture(studio: &Studio) -> (Rect, Lens) {
@@ -240,4 +241,60 @@ fn slow_drawing_is_told_as_what_it_is_and_the_rest_goes_on() {
     studio.harness.state_mut().panel.slow = None;
     studio.settle();
     assert!(!studio.has(Role::Status, "slow drawing"));
+}
+
+/// The contrast of two colors as WCAG 2 has it.
+fn contrast(a: Color32, b: Color32) -> f32 {
+    let light = |color: Color32| {
+        let [r, g, b, _] = Rgba::from(color).to_array();
+        0.2126 * r + 0.7152 * g + 0.0722 * b + 0.05
+    };
+    light(a).max(light(b)) / light(a).min(light(b))
+}
+
+#[test]
+fn all_text_can_be_read_in_both_themes() {
+    let studio = Studio::open(SCENE);
+    assert!((contrast(Color32::BLACK, Color32::WHITE) - 21.0).abs() < 0.01);
+    for theme in [egui::Theme::Dark, egui::Theme::Light] {
+        let style = studio.harness.ctx.style_of(theme);
+        for (name, font) in &style.text_styles {
+            assert!(font.size >= 11.0, "{theme:?} {name} has {} points", font.size);
+        }
+        let visuals = &style.visuals;
+        let texts = [
+            ("text", visuals.text_color()),
+            ("weak", visuals.weak_text_color()),
+            ("strong", visuals.strong_text_color()),
+            ("button", visuals.widgets.inactive.text_color()),
+            ("link", visuals.hyperlink_color),
+            ("warning", visuals.warn_fg_color),
+            ("error", visuals.error_fg_color),
+        ];
+        let grounds =
+            [visuals.panel_fill, visuals.window_fill, visuals.faint_bg_color, visuals.extreme_bg_color];
+        for (name, text) in texts {
+            for ground in grounds {
+                let found = contrast(text, ground);
+                assert!(found >= 4.5, "{theme:?} {name}: {found} on {ground:?}");
+            }
+        }
+        let button = contrast(visuals.weak_text_color(), visuals.widgets.inactive.weak_bg_fill);
+        assert!(button >= 4.5, "{theme:?}: {button}");
+    }
+}
+
+#[test]
+fn what_a_narrow_bar_has_no_room_for_is_in_the_menu() {
+    let mut studio = Studio::open(SCENE);
+    studio.harness.set_size(vec2(800.0, 600.0));
+    studio.settle();
+    assert!(!studio.has(Role::Button, "Gallery"), "there is no room");
+    studio.press("raytoy");
+    for item in ["Gizmos", "Only this", "Split view", "Save picture", "Gallery"] {
+        assert!(
+            studio.find(Role::Button, "raytoy").query_all_by(is(Role::Button, item)).next().is_some(),
+            "{item}"
+        );
+    }
 }

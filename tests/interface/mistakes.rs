@@ -148,16 +148,13 @@ fn each_mistake_is_a_card_with_its_help_in_sight_in_a_small_window_too() {
     let mut studio = Studio::open(SCENE);
     studio.harness.set_size(egui::vec2(800.0, 600.0));
     studio.save("(objects: [Spere(radius: 1), Box(scale: (1, 2)), Sphere(radios: 2)])");
-    let place = studio.find(Role::Alert, "mistakes").rect();
-    assert!(place.height() > 200.0 && place.top() > 150.0, "{place:?}");
-    let words = ["help: did you mean `Sphere`?", "help: did you mean `radius`?"];
-    for words in words {
+    let said = |words: &'static str| {
         let says_it =
-            |own: &AccessKitNode<'_>| own.role() == Role::Label && own.value().as_deref() == Some(words);
-        let help = studio.harness.get_by(says_it);
-        assert!(
-            place.left() < help.rect().left() && help.rect().right() < place.right(),
-            "{words} is wrapped"
-        );
-    }
+            move |own: &AccessKitNode<'_>| own.role() == Role::Label && own.value().as_deref() == Some(words);
+        studio.harness.get_by(says_it).rect()
+    };
+    let heading = said("The scene has mistakes. This is its last good picture.");
+    let (first, last) = (said("help: did you mean `Sphere`?"), said("help: did you mean `radius`?"));
+    assert!(heading.top() > 150.0 && first.top() > heading.bottom() && first.bottom() < 600.0, "{heading:?}");
+    assert!(last.bottom() - heading.top() > 200.0 && last.right() < 480.0, "{last:?} is wrapped");
 }

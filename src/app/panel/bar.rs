@@ -47,7 +47,7 @@ impl Panel {
 
     fn main_menu(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
         let title = egui::Button::new(RichText::new("☰ raytoy").strong().size(15.0));
-        egui::containers::menu::MenuButton::from_button(title).ui(ui, |ui| {
+        let (opener, _) = egui::containers::menu::MenuButton::from_button(title).ui(ui, |ui| {
             ui.set_min_width(180.0);
             self.menu_item(ui, Command::Gallery, deeds);
             ui.separator();
@@ -69,6 +69,7 @@ impl Panel {
                 self.menu_item(ui, command, deeds);
             }
         });
+        opener.accessible_name("raytoy");
     }
 
     /// Where edits go, and what became of them.

@@ -212,6 +212,9 @@ impl Panel {
             self.picking.forget();
             self.shader.listing.take(&picture.compiled, &self.focus);
         }
+        if picture.moves && !self.moves && matches!(self.clock, Clock::Running { .. }) {
+            self.rewind();
+        }
         self.moves = picture.moves;
         self.compiled = Some(picture.compiled.clone());
         self.facts = facts::of(picture);

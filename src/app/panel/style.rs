@@ -11,6 +11,9 @@ pub const ACCENT: Color32 = Color32::from_rgb(86, 140, 245);
 pub const LINK_OVER_PICTURE: Color32 = Color32::from_rgb(120, 170, 255);
 pub const PALE: Color32 = Color32::from_gray(225);
 
+/// Points of the smallest text.
+const SMALLEST: f32 = 11.0;
+
 /// Gives `context` the two themes, and shows one.
 pub fn apply(context: &egui::Context, theme: settings::Theme) {
     context.set_style_of(Theme::Dark, style(Visuals::dark()));
@@ -38,8 +41,12 @@ fn style(mut visuals: Visuals) -> Style {
     let [warning, error] = if is_dark {
         [Color32::from_rgb(245, 190, 80), Color32::from_rgb(255, 110, 100)]
     } else {
-        [Color32::from_rgb(150, 95, 0), Color32::from_rgb(190, 40, 30)]
+        [Color32::from_rgb(140, 85, 0), Color32::from_rgb(190, 40, 30)]
     };
+    // At least 4.5 times the contrast of what it stands on.
+    visuals.weak_text_color = Some(shade(158, 92));
+    visuals.widgets.noninteractive.fg_stroke.color = shade(190, 60);
+    visuals.hyperlink_color = if is_dark { LINK_OVER_PICTURE } else { Color32::from_rgb(30, 85, 190) };
     visuals.warn_fg_color = warning;
     visuals.error_fg_color = error;
     visuals.slider_trailing_fill = true;
@@ -58,6 +65,7 @@ fn style(mut visuals: Visuals) -> Style {
     widgets.hovered.weak_bg_fill = shade(56, 216);
     widgets.noninteractive.bg_stroke = Stroke::new(1.0, shade(44, 220));
     let mut style = Style { visuals, ..Style::default() };
+    style.text_styles.insert(egui::TextStyle::Small, egui::FontId::proportional(SMALLEST));
     style.spacing.item_spacing = egui::vec2(6.0, 4.0);
     style.spacing.button_padding = egui::vec2(7.0, 2.0);
     style.spacing.interact_size = egui::vec2(40.0, 20.0);
