@@ -1,4 +1,4 @@
-//! The author's own editor, opened at a line: the one that is named, else one that is there, else the desktop's.
+//! The author's own editor, opened at a line: the one that is named, else one that is there.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
