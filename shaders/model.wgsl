@@ -15,6 +15,8 @@
 /// A model, by the first texel of the box around it.
 struct Model {
     root: u32,
+    /// Whether its file has uv, which go from 0 to 1.
+    has_uv: bool,
 }
 
 const NO_BOX: u32 = 0xffffffffu;

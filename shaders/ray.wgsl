@@ -26,6 +26,10 @@ struct Surface {
     world: vec3f,
     /// Width of a pixel at the point, in the object's units; 0 when unknown.
     footprint: f32,
+    /// The uv of a whole surface, where that has an end: the corner at which a picture that covers it has
+    /// its lower left one, and from there the way to the upper right one, in which u is negative where it
+    /// grows to the left. Else all is 0.
+    whole: vec4f,
 }
 
 /// What the pixel's rays have cost so far: tests of shapes, boxes and triangles of models, steps of marches.
@@ -33,7 +37,7 @@ var<private> work: u32;
 
 /// The surface at `position`, before anything is known of the world and the pixel.
 fn surface(position: vec3f, normal: vec3f, uv: vec2f) -> Surface {
-    return Surface(position, normal, normal, uv, position, 0.0);
+    return Surface(position, normal, normal, uv, position, 0.0, vec4f(0.0));
 }
 
 /// `t` where it lies on the ray, else NO_HIT.

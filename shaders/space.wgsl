@@ -52,7 +52,9 @@ fn placedFrom(space: Space, at: Surface, world: vec3f) -> Placed {
 /// The point of the unit sphere in `direction`, which is where a background is asked for its color.
 fn skyPoint(direction: vec3f) -> Surface {
     let uv = vec2f(atan2(direction.z, direction.x), asin(clamp(direction.y, -1.0, 1.0)));
-    return surface(direction, direction, uv);
+    var at = surface(direction, direction, uv);
+    at.whole = 1.5707963 * vec4f(-2.0, -1.0, 4.0, 2.0);
+    return at;
 }
 
 /// The t at which a ray's line enters the box between two corners, and leaves it: in the wrong order if it

@@ -5,6 +5,7 @@ fn sideOf(at: Surface, side: u32) -> Surface {
     var flat_ = at;
     let p = at.position;
     flat_.uv = select(select(p.xy, p.xz, side == 1u), p.zy, side == 0u);
+    flat_.whole = vec4f(0.0);
     return flat_;
 }
 

@@ -6,5 +6,6 @@ fn cubic(at: Surface) -> Surface {
     var moved = at;
     // As on planes: (x, z) along y, (z, y) along x, (x, y) along z.
     moved.uv = select(side, p.xz, n.y >= max(n.x, n.z));
+    moved.whole = vec4f(0.0);
     return moved;
 }

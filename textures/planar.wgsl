@@ -5,5 +5,6 @@ fn planar(at: Surface, axis: u32) -> Surface {
     let p = at.position;
     var moved = at;
     moved.uv = select(select(p.xy, p.xz, axis == 1u), p.zy, axis == 0u);
+    moved.whole = vec4f(0.0);
     return moved;
 }

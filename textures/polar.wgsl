@@ -8,6 +8,7 @@ fn polar(at: Surface, around: f32) -> Surface {
     let per_radian = around / 6.2831853;
     var moved = at;
     moved.uv = vec2f(per_radian * atan2(d.y, d.x), radius);
+    moved.whole = vec4f(0.0);
     // The root mean square of the stretches outwards and around.
     let crowding = per_radian / max(radius, 1e-4);
     moved.footprint *= sqrt(0.5 + 0.5 * crowding * crowding);

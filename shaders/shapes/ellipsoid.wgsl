@@ -22,6 +22,9 @@ fn ellipsoidSurface(p: vec3f, center: vec3f, radii: vec3f) -> Surface {
     let ball = normalize((p - center) / radii);
     let longitude = atan2(ball.z, select(ball.x, 1e-20, abs(ball.x) < 1e-20));
     let latitude = atan2(ball.y, max(length(ball.xz), 1e-20));
-    let uv = vec2f(0.5 * (radii.x + radii.z) * longitude, radii.y * latitude);
-    return surface(center + radii * ball, normalize(ball / radii), uv);
+    let unrolled = vec2f(0.5 * (radii.x + radii.z), radii.y);
+    let normal = normalize(ball / radii);
+    var at = surface(center + radii * ball, normal, unrolled * vec2f(longitude, latitude));
+    at.whole = 1.5707963 * vec4f(2.0, -1.0, -4.0, 2.0) * unrolled.xyxy;
+    return at;
 }

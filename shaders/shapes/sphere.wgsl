@@ -22,5 +22,8 @@ fn sphereSurface(p: vec3f, center: vec3f, radius: f32) -> Surface {
     let longitude = atan2(normal.z, select(normal.x, 1e-20, abs(normal.x) < 1e-20));
     // Unlike asin, this keeps its digits near the poles.
     let latitude = atan2(normal.y, max(length(normal.xz), 1e-20));
-    return surface(center + radius * normal, normal, radius * vec2f(longitude, latitude));
+    var at = surface(center + radius * normal, normal, radius * vec2f(longitude, latitude));
+    // Seen from outside, longitude grows to the left.
+    at.whole = 1.5707963 * radius * vec4f(2.0, -1.0, -4.0, 2.0);
+    return at;
 }

@@ -11,7 +11,7 @@ use crate::sources::Sources;
 const TEXTURE_FORMS: [[&str; 2]; 3] = [
     ["Ramp", r##"Ramp(by: Noise(), stops: [(0, "#000"), (1, "#fff")], interpolation: Smooth)"##],
     ["Triplanar", "Triplanar(of: Brick(), sharpness: 4)"],
-    ["Image", r#"Image(file: "photo.png", width: 1, repeat: true)"#],
+    ["Image", r#"Image(file: "photo.png", width: 1, repeat: true, under: "white", channel: Color)"#],
 ];
 const SHAPE_FORMS: [[&str; 2]; 3] = [
     ["Union", "Union(parts: [Box(), Sphere()])"],

@@ -39,11 +39,16 @@ pub fn texels(scene: &Scene) -> impl Iterator<Item = Texels> {
 }
 
 fn of_image(binding: u32, image: &Image) -> Texels {
-    let texel = |rgb: &glam::Vec3| {
-        let halves = rgb.extend(1.0).to_array().map(|x| f16::from_f32(x.min(65504.0)).to_bits().to_le());
-        bytemuck::cast::<[u16; 4], [u8; 8]>(halves)
+    let half = |x: f32| f16::from_f32(x.min(65504.0));
+    let texel = |texel: &glam::Vec4| {
+        let mut halves = texel.to_array().map(half);
+        if image.reading.channel.is_some() {
+            // The sum of two halves has the digits of a height map of 16 bits, also between texels.
+            halves[1] = half(texel.x - halves[0].to_f32());
+        }
+        bytemuck::cast::<[u16; 4], [u8; 8]>(halves.map(|half| half.to_bits().to_le()))
     };
-    let bytes = |texels: &[glam::Vec3]| texels.iter().map(texel).collect::<Vec<_>>().into_flattened();
+    let bytes = |texels: &[glam::Vec4]| texels.iter().map(texel).collect::<Vec<_>>().into_flattened();
     Texels {
         binding,
         format: IMAGE,

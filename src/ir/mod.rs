@@ -108,17 +108,35 @@ pub struct Triplanar {
     pub sharpness: f32,
 }
 
-/// An image that lies on the uv plane with its lower left corner at the origin.
+/// An image that lies on the uv plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// What moves the point first.
     pub at: Option<Box<Call>>,
     /// One of [`Scene::images`].
     pub image: usize,
-    /// Scene units; the height follows.
-    pub width: f32,
+    pub ty: Type,
+    /// Scene units, and the height follows; left out it covers the whole surface where that has an end.
+    pub width: Option<f32>,
+    pub fit: Fit,
+    /// What is seen where the image is clear, at the point before it is moved; left out, nothing is.
+    pub under: Option<Value>,
     /// Whether it begins again beyond its edges; else they go on.
     pub repeat: bool,
+}
+
+/// What an image is laid on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fit {
+    /// The whole of a surface: of a ball, of the sky, of a model's uv from 0 to 1. Where the surface has no
+    /// whole, the uv plane.
+    Surface,
+    /// That of the mapping that moves the point, if that has a whole; else the uv plane.
+    Mapping,
+    /// The uv plane, its lower left corner at the origin.
+    Plane,
+    /// The whole of the surface, at any width; uv from 0 to 1 where it has no whole.
+    Whole,
 }
 
 /// A texture with a name.

@@ -20,7 +20,7 @@ use std::sync::{Arc, Mutex};
 
 pub use color::{parse_color, parse_css};
 pub use function::{Function, Kind, Parameter, Traits, name_of};
-pub use image::{Image, Level};
+pub use image::{Channel, Image, Level, Reading};
 pub use model::{Corner, Model};
 pub use value::{Const, Type};
 
@@ -126,15 +126,16 @@ impl<'a> Library<'a> {
         self.reach.files_below(extensions)
     }
 
-    /// The picture in `file`, which lies beside the scene unless its path says otherwise.
+    /// The picture in `file`, which lies beside the scene unless its path says otherwise, as `reading` says.
     ///
     /// # Errors
     /// Why it cannot be shown.
-    pub fn image(&self, file: &str) -> Result<Image, Diagnostic> {
+    pub fn image(&self, file: &str, reading: Reading) -> Result<Image, Diagnostic> {
         let (name, digest, bytes) = self.file(file)?;
-        let known = self.images.iter().find(|known| known.file == name && known.digest == digest);
+        let is_it = |known: &&Image| known.file == name && known.digest == digest && known.reading == reading;
+        let known = self.images.iter().find(is_it);
         known
-            .map_or_else(|| Image::decode(name.clone(), digest, &bytes), |known| Ok(known.clone()))
+            .map_or_else(|| Image::decode(name.clone(), digest, &bytes, reading), |known| Ok(known.clone()))
             .map_err(|why| Diagnostic::error(format!("`{name}` {why}")))
     }
 

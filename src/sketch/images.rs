@@ -1,6 +1,6 @@
 //! Textures as a program reads them: texels as words, and colors between texels.
 
-use glam::Vec3;
+use glam::Vec4;
 
 use crate::gpu::{MODELS_BINDING, MODELS_ROW};
 use crate::ir::Scene;
@@ -47,12 +47,12 @@ impl Image {
         let fine = level.floor();
         let at = |level: usize| between(&image.levels[level.min(last)], place);
         let color = at(fine as usize).lerp(at(fine as usize + 1), level - fine);
-        color.extend(1.0).to_array()
+        color.to_array()
     }
 }
 
 /// Linear between the four texels around a place.
-fn between(level: &library::Level, place: [f32; 2]) -> Vec3 {
+fn between(level: &library::Level, place: [f32; 2]) -> Vec4 {
     let at = [0, 1].map(|i| (place[i] - place[i].floor()) * level.size[i] as f32 - 0.5);
     let low = at.map(f32::floor);
     let texel = |x: f32, y: f32| {

@@ -242,7 +242,7 @@ impl<'a> Writer<'a> {
         let mut root = 0;
         for (name, model) in self.model_names.iter().zip(&self.scene.models) {
             lines.push(code::one_line(&format!("/// {}", model.file)));
-            lines.push(format!("const {name}: Model = Model({root}u);"));
+            lines.push(format!("const {name}: Model = Model({root}u, {});", model.has_uv));
             root += model.texels();
         }
         lines.push(format!("const LIGHTS: u32 = {}u;", self.scene.lights.len()));

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::Writer;
 use super::code::{self, Code, Lines};
-use crate::ir::{Call, Interpolation, Measure, Picture, Ramp, Triplanar, Value};
+use crate::ir::{Call, Fit, Interpolation, Measure, Picture, Ramp, Triplanar, Value};
 use crate::library::{Const, Type};
 
 /// The statements before the expression that a function returns.
@@ -99,11 +99,34 @@ impl Writer<'_> {
     }
 
     fn picture(&mut self, picture: &Picture, at: &str, body: &mut Body, indent: usize) -> Code {
-        let at = self.moved(picture.at.as_deref(), at, body, indent);
-        let numbers = [Const::F32(picture.width), Const::Bool(picture.repeat)];
-        let arguments = [Code::atom(format!("image{}", picture.image)), Code::atom(at)];
+        let under = picture.under.as_ref().map(|under| self.value(under, at, body, indent));
+        let whole = match picture.fit {
+            Fit::Surface => None,
+            Fit::Mapping | Fit::Plane => Some("unfitted"),
+            Fit::Whole => Some("wholly"),
+        };
+        let fitted = |at: &str, whole: &str| Code::call(whole, [Code::atom(at)]);
+        let before = match picture.fit {
+            Fit::Mapping => body.bind("let", "at", &fitted(at, "unfitted"), indent),
+            _ => at.to_owned(),
+        };
+        let moved = self.moved(picture.at.as_deref(), &before, body, indent);
+        let at = match whole {
+            Some(whole) if picture.fit != Fit::Mapping => fitted(&moved, whole),
+            _ => Code::atom(moved),
+        };
+        // No width is the whole's.
+        let width = picture.width.filter(|_| picture.fit != Fit::Whole).unwrap_or(0.0);
+        let numbers = [Const::F32(width), Const::Bool(picture.repeat)];
         let numbers = numbers.map(|number| self.numbers.constant(number));
-        Code::call("imageColor", arguments.into_iter().chain(numbers))
+        let function = match (picture.ty, &under) {
+            (Type::F32, None) => "imageNumber",
+            (Type::F32, Some(_)) => "imageNumberOver",
+            (_, None) => "imageColor",
+            (_, Some(_)) => "imageColorOver",
+        };
+        let arguments = [Code::atom(format!("image{}", picture.image)), at];
+        Code::call(function, arguments.into_iter().chain(numbers).chain(under))
     }
 
     /// What the images are bound to.
@@ -168,6 +191,7 @@ fn reach(value: &Value, scene: &crate::ir::Scene, reached: &mut BTreeSet<usize>)
         }
         Value::Picture(picture) => {
             picture.at.iter().for_each(|mapping| reach_call(mapping, scene, reached));
+            picture.under.iter().for_each(|under| reach(under, scene, reached));
         }
         Value::Triplanar(form) => {
             form.at.iter().for_each(|mapping| reach_call(mapping, scene, reached));

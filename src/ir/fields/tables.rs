@@ -208,10 +208,37 @@ pub const FORMS: &[Group] = &[
         name: "Image",
         fields: &[
             field("file", Takes::File, "a PNG, JPEG or Radiance HDR file beside the scene").required(),
-            number("width", 1.0, 1e-4, 1e6, "scene units"),
+            field(
+                "width",
+                Takes::Number(limits(None, 1e-4, 1e6)),
+                "scene units; left out, it is 1, but covers balls, the sky and models with uv once",
+            ),
             flag("repeat", true, "whether it begins again beyond its edges"),
+            field(
+                "fit",
+                Takes::Choice(&[word("Auto"), word("Units"), word("Whole")]),
+                "`Units`: `width` wide, from uv = (0, 0) on; `Whole`: once over the whole surface",
+            ),
+            texture_or_color("under", 1.0, "what is seen where the image is clear"),
+            field(
+                "encoding",
+                Takes::Choice(&[word("Auto"), word("Srgb"), word("Linear")]),
+                "`Linear`: numbers as they are, which `Auto` takes where a number is wanted",
+            ),
+            field(
+                "channel",
+                Takes::Choice(&[
+                    word("Color"),
+                    word("Luminance"),
+                    word("Red"),
+                    word("Green"),
+                    word("Blue"),
+                    word("Alpha"),
+                ]),
+                "all but `Color` make it a pattern",
+            ),
         ],
         example: r##"Image(file: "photo.png")"##,
-        doc: "a picture from a file, its lower left corner at uv = (0, 0)",
+        doc: "a picture from a file, on uv or once over a ball, the sky or a model",
     },
 ];

@@ -5,6 +5,7 @@ use std::ops::Range;
 use super::{Resolver, Usage};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{Texture, Value};
+use crate::library::Type;
 use crate::scene::{self, Kind};
 
 impl<'a> Resolver<'a> {
@@ -24,12 +25,14 @@ impl<'a> Resolver<'a> {
             self.declared.insert(&entry.name.text, &entry.value);
         }
         for entry in entries {
-            self.declared_texture(&entry.name.text, &entry.name.span);
+            self.wanted_for(Usage::Light, |resolver| {
+                resolver.declared_texture(&entry.name.text, &entry.name.span, Type::Vec3)
+            });
         }
     }
 
     /// The index of the texture declared as `name`, which `span` asks for, as the present use wants it.
-    pub fn declared_texture(&mut self, name: &str, span: &Range<usize>) -> Option<usize> {
+    pub fn declared_texture(&mut self, name: &str, span: &Range<usize>, want: Type) -> Option<usize> {
         let plain = match self.textures.iter().position(|t| t.name == name) {
             Some(known) => known,
             None => self.plain_texture(name, span)?,
@@ -38,14 +41,15 @@ impl<'a> Resolver<'a> {
             return Some(plain);
         }
         self.depends_on_usage = true;
-        if self.usage == Usage::Light {
+        let wanted = (plain, self.usage, want == Type::F32);
+        if wanted.1 == Usage::Light && !wanted.2 {
             return Some(plain);
         }
-        if let Some(variant) = self.variants.get(&(plain, self.usage)) {
+        if let Some(variant) = self.variants.get(&wanted) {
             return Some(*variant);
         }
         let told = self.problems.len();
-        let value = self.declared_value(self.declared.get(name)?);
+        let value = self.declared_value(self.declared.get(name)?, want);
         let again = self.problems.split_off(told);
         let new: Vec<_> = again.into_iter().filter(|problem| !self.problems.contains(problem)).collect();
         self.problems.extend(new);
@@ -57,7 +61,7 @@ impl<'a> Resolver<'a> {
             self.textures.push(Texture { ty: self.type_of(&value), value, ..texture });
             self.textures.len() - 1
         };
-        self.variants.insert((plain, self.usage), variant);
+        self.variants.insert(wanted, variant);
         Some(variant)
     }
 
@@ -77,7 +81,7 @@ impl<'a> Resolver<'a> {
         let written = *self.declared.get(name)?;
         let around = std::mem::take(&mut self.depends_on_usage);
         self.pending.push(name.to_owned());
-        let value = self.wanted_for(Usage::Light, |resolver| resolver.declared_value(written));
+        let value = self.wanted_for(Usage::Light, |resolver| resolver.declared_value(written, Type::Vec3));
         self.pending.pop();
         let depends = std::mem::replace(&mut self.depends_on_usage, around);
         let value = value?;
@@ -89,12 +93,12 @@ impl<'a> Resolver<'a> {
         Some(index)
     }
 
-    fn declared_value(&mut self, written: &scene::Value) -> Option<Value> {
+    fn declared_value(&mut self, written: &scene::Value, want: Type) -> Option<Value> {
         match &written.kind {
-            Kind::Record(record) if record.name.is_some() => self.texture(written, record),
+            Kind::Record(record) if record.name.is_some() => self.texture(written, record, want),
             // A texture may be another one's second name, or a color to be used in many places.
             Kind::Text(other) if self.declared.contains_key(other.as_str()) => {
-                self.declared_texture(other, &written.span).map(Value::Texture)
+                self.declared_texture(other, &written.span, want).map(Value::Texture)
             }
             _ => Some(self.color(written)),
         }

@@ -3,19 +3,19 @@
 use super::Resolver;
 use crate::diagnostic::Diagnostic;
 use crate::ir::Value;
-use crate::library::{Parameter, Type};
+use crate::library::{Parameter, Reading, Type};
 use crate::scene::{self, Kind};
 
 /// What WebGPU lets a shader read, without the models and the picture that gathers samples.
 const MOST_IMAGES: usize = 14;
 
 impl Resolver<'_> {
-    /// The index of the image in the file `path`.
-    pub fn image(&mut self, path: &str, written: &scene::Value) -> Option<usize> {
+    /// The index of the image in the file `path`, read as `reading` says.
+    pub fn image(&mut self, path: &str, written: &scene::Value, reading: Reading) -> Option<usize> {
         let place = self.place(&written.span);
-        match self.lookup.image(path) {
+        match self.lookup.image(path, reading) {
             Ok(image) => {
-                let known = self.images.iter().position(|i| i.file == image.file);
+                let known = self.images.iter().position(|i| *i == image);
                 Some(known.unwrap_or_else(|| {
                     self.images.push(image);
                     if self.images.len() > MOST_IMAGES {

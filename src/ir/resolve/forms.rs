@@ -3,16 +3,17 @@
 use super::Resolver;
 use super::reader::Fields;
 use crate::ir::fields::{EVERY_TEXTURE, Group};
-use crate::ir::{Call, Interpolation, Picture, Ramp, Triplanar, Value};
+use crate::ir::{Call, Interpolation, Ramp, Triplanar, Value};
+use crate::library::Type;
 use crate::scene::{self, Kind, Record};
 
 impl Resolver<'_> {
     /// What `Name(…)` computes where that is one of [`crate::ir::fields::FORMS`].
-    pub fn form(&mut self, form: &Group, value: &scene::Value) -> Option<Value> {
+    pub fn form(&mut self, form: &Group, value: &scene::Value, want: Type) -> Option<Value> {
         match form.name {
             "Ramp" => self.ramp(form, value).map(|ramp| Value::Ramp(Box::new(ramp))),
             "Triplanar" => self.triplanar(form, value).map(|form| Value::Triplanar(Box::new(form))),
-            _ => self.picture(form, value).map(|form| Value::Picture(Box::new(form))),
+            _ => self.picture(form, value, want).map(|form| Value::Picture(Box::new(form))),
         }
     }
 
@@ -80,21 +81,5 @@ impl Resolver<'_> {
         let sharpness = fields.number(self, "sharpness");
         fields.finish(self);
         Some(Triplanar { at: at?, of: of?, sharpness })
-    }
-
-    fn picture(&mut self, form: &Group, value: &scene::Value) -> Option<Picture> {
-        let mut fields = Fields::of(self, value, "`Image`", &[EVERY_TEXTURE, form.fields]);
-        let at = self.at(&mut fields);
-        let file = fields.require(self, "file");
-        let width = fields.number(self, "width");
-        let repeat = fields.flag(self, "repeat");
-        fields.finish(self);
-        let file = file?;
-        let Kind::Text(path) = &file.kind else {
-            self.mismatch(file, "a file such as \"photo.png\"");
-            return None;
-        };
-        let image = self.image(path, file)?;
-        Some(Picture { at: at?, image, width, repeat })
     }
 }

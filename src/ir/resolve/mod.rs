@@ -8,6 +8,7 @@ mod lights;
 mod materials;
 mod objects;
 mod options;
+mod pictures;
 mod placement;
 mod reader;
 mod textures;
@@ -69,8 +70,8 @@ struct Resolver<'a> {
     textures: Vec<Texture>,
     /// Those of them that depend on what they are wanted for.
     usage_dependent: BTreeSet<usize>,
-    /// What each of these is for other uses than light.
-    variants: BTreeMap<(usize, Usage), usize>,
+    /// What each of these is for other uses than light, and whether as a number.
+    variants: BTreeMap<(usize, Usage, bool), usize>,
     materials: Vec<Material>,
     /// Indices of the materials that have a name.
     named_materials: BTreeMap<String, usize>,

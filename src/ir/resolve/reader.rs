@@ -9,7 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::ir;
 use crate::ir::fields::{Field as Known, Number, Takes};
 use crate::library::Parameter;
-use crate::scene::{Field, Kind, Value};
+use crate::scene::{Field, Kind, Record, Value};
 
 /// The fields of one group of a scene.
 pub struct Fields<'v> {
@@ -169,6 +169,29 @@ impl<'v> Fields<'v> {
                 resolver.mismatch(value, "true or false");
                 default
             }
+        })
+    }
+
+    /// Which of its words `name` has, the first where the author gave none.
+    pub fn word(&mut self, resolver: &mut Resolver<'_>, name: &str) -> &'static str {
+        let words: Vec<&str> = match self.known(name).takes {
+            Takes::Choice(choices) => choices.iter().map(|choice| choice.word).collect(),
+            other => panic!("`{name}` of {} is no choice but {other:?}", self.owner),
+        };
+        let Some(value) = self.get(name) else { return words[0] };
+        let given = match &value.kind {
+            Kind::Text(text) => text.as_str(),
+            Kind::Record(Record { name: Some(name), fields, items })
+                if fields.is_empty() && items.is_empty() =>
+            {
+                &name.text
+            }
+            _ => "",
+        };
+        let known = words.iter().find(|word| word.eq_ignore_ascii_case(given));
+        known.copied().unwrap_or_else(|| {
+            resolver.mismatch(value, &format!("one of {}", words.join(", ")));
+            words[0]
         })
     }
 

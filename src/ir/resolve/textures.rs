@@ -43,12 +43,12 @@ impl<'a> Resolver<'a> {
         let stand_in = Const::from_numbers(want, &vec![range.map_or(0.0, |r| r.0); want.size()]);
         let stand_in = Value::Const(stand_in.expect("as many numbers as the type has"));
         match &value.kind {
-            Written::Record(record) if record.name.is_some() => match self.texture(value, record) {
+            Written::Record(record) if record.name.is_some() => match self.texture(value, record, want) {
                 Some(texture) => self.fit(texture, want),
                 None => stand_in,
             },
             Written::Text(name) if self.declared.contains_key(name.as_str()) => {
-                let texture = self.declared_texture(name, &value.span);
+                let texture = self.declared_texture(name, &value.span, want);
                 texture.map_or(stand_in, |index| self.fit(Value::Texture(index), want))
             }
             Written::Text(text) if is_color || want == Type::F32 => match self.plain_color(value) {
@@ -103,15 +103,16 @@ impl<'a> Resolver<'a> {
             Value::Call(call) if call.function.kind == Kind::Pattern => Type::F32,
             Value::Texture(index) => self.textures[*index].ty,
             Value::Luminance(_) => Type::F32,
+            Value::Picture(picture) => picture.ty,
             _ => Type::Vec3,
         }
     }
 
     /// What `Name(…)` computes.
-    pub fn texture(&mut self, value: &scene::Value, record: &Record) -> Option<Value> {
+    pub fn texture(&mut self, value: &scene::Value, record: &Record, want: Type) -> Option<Value> {
         let name = record.name.as_ref().expect("the caller has looked");
         if let Some(form) = FORMS.iter().find(|form| form.name == name.text) {
-            return self.form(form, value);
+            return self.form(form, value, want);
         }
         let function = self.function(Family::Texture, name)?;
         if function.kind == Kind::Mapping {

@@ -31,6 +31,8 @@ pub struct Model {
     pub nodes: Arc<[Node]>,
     /// Whether each edge joins two triangles that face the same side, so that the model encloses something.
     pub is_closed: bool,
+    /// Whether all its uv are the file's, which go from 0 to 1, and not places in scene units.
+    pub has_uv: bool,
 }
 
 /// A corner of a triangle.
@@ -81,8 +83,9 @@ impl Model {
         if is_closed && places::is_inside_out(&found) {
             found.iter_mut().for_each(|triangle| triangle.swap(1, 2));
         }
+        let has_uv = found.iter().flatten().all(|corner| corner.uv.is_some());
         let (triangles, nodes) = tree::plant(&smooth::finish(&found));
-        Ok(Self { file, digest, triangles: triangles.into(), nodes: nodes.into(), is_closed })
+        Ok(Self { file, digest, triangles: triangles.into(), nodes: nodes.into(), is_closed, has_uv })
     }
 
     /// How many texels [`Model::words`] fills.

@@ -7,7 +7,7 @@
 const OBJECT_PLANE_0: u32 = 0u;
 const OBJECT_MESH_1: u32 = 1u;
 /// scenes/models/gem.glb
-const MODEL_GEM: Model = Model(0u);
+const MODEL_GEM: Model = Model(0u, false);
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;

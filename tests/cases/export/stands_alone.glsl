@@ -32,6 +32,7 @@ struct Surface {
     vec2 uv;
     vec3 world;
     float footprint;
+    vec4 whole;
 };
 struct Placed {
     Surface at;
@@ -221,7 +222,7 @@ Placed placed(Surface at, vec3 p) {
 }
 
 Surface surface(vec3 position, vec3 normal_1, vec2 uv) {
-    return Surface(position, normal_1, normal_1, uv, position, 0.0);
+    return Surface(position, normal_1, normal_1, uv, position, 0.0, vec4(0.0));
 }
 
 mat2x3 flatTangents(vec3 n) {
@@ -251,11 +252,15 @@ Surface planeSurface(vec3 p_1, vec3 normal_2, float offset_1) {
 }
 
 Surface sphereSurface(vec3 p_2, vec3 center_2, float radius_1) {
+    Surface at_1 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, vec4(0.0));
     vec3 normal_5 = normalize((p_2 - center_2));
     float longitude = atan(normal_5.z, ((abs(normal_5.x) < 1e-20) ? 1e-20 : normal_5.x));
     float latitude = atan(normal_5.y, max(length(normal_5.xz), 1e-20));
     Surface _e24 = surface((center_2 + (radius_1 * normal_5)), normal_5, (radius_1 * vec2(longitude, latitude)));
-    return _e24;
+    at_1 = _e24;
+    at_1.whole = ((1.5707963 * radius_1) * vec4(2.0, -1.0, -4.0, 2.0));
+    Surface _e35 = at_1;
+    return _e35;
 }
 
 Placed surfaceAt(uint object_1, vec3 p_3) {
@@ -296,21 +301,21 @@ vec2 dutyShare(vec2 x, vec2 width, float duty) {
     return mix(soft, vec2(inside_1), equal(width, vec2(0.0)));
 }
 
-vec3 checker(Surface at_1, float scale, vec3 even, vec3 odd) {
+vec3 checker(Surface at_2, float scale, vec3 even, vec3 odd) {
     float half_scale = (0.5 * scale);
-    vec2 _e12 = dutyShare((at_1.uv * half_scale), vec2((at_1.footprint * half_scale)), 0.5);
+    vec2 _e12 = dutyShare((at_2.uv * half_scale), vec2((at_2.footprint * half_scale)), 0.5);
     vec2 side = ((2.0 * _e12) - vec2(1.0));
     float share_1 = (0.5 + ((0.5 * side.x) * side.y));
     return ((even * share_1) + (odd * (1.0 - share_1)));
 }
 
-Material floorMaterial(Surface at_2) {
-    vec3 _e6 = checker(at_2, 1.0, vec3(0.2), vec3(0.6));
+Material floorMaterial(Surface at_3) {
+    vec3 _e6 = checker(at_3, 1.0, vec3(0.2), vec3(0.6));
     Material _e7 = matte(_e6);
     return _e7;
 }
 
-Material ballMaterial(Surface at_3) {
+Material ballMaterial(Surface at_4) {
     Material material = Material(vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     Material _e5 = matte(vec3(1.0, 0.12477182, 0.06301002));
     material = _e5;
@@ -319,14 +324,14 @@ Material ballMaterial(Surface at_3) {
     return _e9;
 }
 
-Material materialAt(uint object_2, Surface at_4) {
+Material materialAt(uint object_2, Surface at_5) {
     switch(object_2) {
         case 0u: {
-            Material _e2 = floorMaterial(at_4);
+            Material _e2 = floorMaterial(at_5);
             return _e2;
         }
         case 1u: {
-            Material _e3 = ballMaterial(at_4);
+            Material _e3 = ballMaterial(at_5);
             return _e3;
         }
         default: {
@@ -352,13 +357,17 @@ vec3 normalAt(uint object_4, Placed met) {
 }
 
 Surface skyPoint(vec3 direction) {
+    Surface at_6 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, vec4(0.0));
     vec2 uv_1 = vec2(atan(direction.z, direction.x), asin(clamp(direction.y, -1.0, 1.0)));
     Surface _e10 = surface(direction, direction, uv_1);
-    return _e10;
+    at_6 = _e10;
+    at_6.whole = vec4(-3.1415925, -1.5707963, 6.283185, 3.1415925);
+    Surface _e18 = at_6;
+    return _e18;
 }
 
-vec3 gradient(Surface at_5, vec3 zenith, vec3 horizon) {
-    float height = clamp(at_5.position.y, 0.0, 1.0);
+vec3 gradient(Surface at_7, vec3 zenith, vec3 horizon) {
+    float height = clamp(at_7.position.y, 0.0, 1.0);
     return ((horizon * (1.0 - height)) + (zenith * height));
 }
 
@@ -457,14 +466,14 @@ Material meanOf(Material sum, float share) {
 }
 
 Looked looked(Ray ray_12, Hit hit_2, float width_1) {
-    Looked seen = Looked(vec3(0.0), Placed(Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0), vec3(0.0), vec3(0.0), 0.0, 0.0), Material(vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0));
+    Looked seen = Looked(vec3(0.0), Placed(Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, vec4(0.0)), vec3(0.0), vec3(0.0), 0.0, 0.0), Material(vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0));
     bool corrected = false;
     float footprint = 0.0;
     vec3 step_ = vec3(0.0);
     uint looks = 1u;
     uint look = 0u;
     bool local_2 = false;
-    Surface at_6 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0);
+    Surface at_8 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, vec4(0.0));
     vec3 _e6 = rayPoint(ray_12, hit_2.t);
     seen.point = _e6;
     while(true) {
@@ -513,11 +522,11 @@ Looked looked(Ray ray_12, Hit hit_2, float width_1) {
                 footprint = (max(width_1, (width_1 / (cosine_1 * float(_e108)))) * _e42.scale);
                 seen.met.at.footprint = ((width_1 * _e42.scale) / cosine_1);
             }
-            at_6 = _e42.at;
+            at_8 = _e42.at;
             float _e124 = footprint;
-            at_6.footprint = _e124;
+            at_8.footprint = _e124;
             Material _e127 = seen.material;
-            Surface _e129 = at_6;
+            Surface _e129 = at_8;
             Material _e130 = materialAt(hit_2.object, _e129);
             Material _e131 = summed(_e127, _e130);
             seen.material = _e131;
@@ -852,11 +861,11 @@ Seen seenAt(vec2 pixel) {
     vec3 _e32 = frame.right;
     vec3 _e38 = frame.up;
     vec3 direction_5 = normalize(((_e28 + (place_1.x * _e32)) + (place_1.y * _e38)));
-    uvec2 at_7 = uvec2(pixel);
+    uvec2 at_9 = uvec2(pixel);
     uint _e48 = frame.sample_;
     uint _e49 = hashed(_e48);
-    uint _e51 = hashed((at_7.y + _e49));
-    uint _e53 = hashed((at_7.x + _e51));
+    uint _e51 = hashed((at_9.y + _e49));
+    uint _e53 = hashed((at_9.x + _e51));
     seed = _e53;
     vec3 _e56 = frame.eye;
     Seen _e57 = traceTree(_e56, direction_5);

@@ -186,7 +186,10 @@ fn sphereSurface(p: vec3f, center: vec3f, radius: f32) -> Surface {
     let longitude = atan2(normal.z, select(normal.x, 1e-20, abs(normal.x) < 1e-20));
     // Unlike asin, this keeps its digits near the poles.
     let latitude = atan2(normal.y, max(length(normal.xz), 1e-20));
-    return surface(center + radius * normal, normal, radius * vec2f(longitude, latitude));
+    var at = surface(center + radius * normal, normal, radius * vec2f(longitude, latitude));
+    // Seen from outside, longitude grows to the left.
+    at.whole = 1.5707963 * radius * vec4f(2.0, -1.0, -4.0, 2.0);
+    return at;
 }
 
 /// A checkerboard of two colors that blurs to their mean in the distance instead of flickering.
@@ -872,7 +875,9 @@ fn placedFrom(space: Space, at: Surface, world: vec3f) -> Placed {
 /// The point of the unit sphere in `direction`, which is where a background is asked for its color.
 fn skyPoint(direction: vec3f) -> Surface {
     let uv = vec2f(atan2(direction.z, direction.x), asin(clamp(direction.y, -1.0, 1.0)));
-    return surface(direction, direction, uv);
+    var at = surface(direction, direction, uv);
+    at.whole = 1.5707963 * vec4f(-2.0, -1.0, 4.0, 2.0);
+    return at;
 }
 
 /// The t at which a ray's line enters the box between two corners, and leaves it: in the wrong order if it
@@ -960,6 +965,10 @@ struct Surface {
     world: vec3f,
     /// Width of a pixel at the point, in the object's units; 0 when unknown.
     footprint: f32,
+    /// The uv of a whole surface, where that has an end: the corner at which a picture that covers it has
+    /// its lower left one, and from there the way to the upper right one, in which u is negative where it
+    /// grows to the left. Else all is 0.
+    whole: vec4f,
 }
 
 /// What the pixel's rays have cost so far: tests of shapes, boxes and triangles of models, steps of marches.
@@ -967,7 +976,7 @@ var<private> work: u32;
 
 /// The surface at `position`, before anything is known of the world and the pixel.
 fn surface(position: vec3f, normal: vec3f, uv: vec2f) -> Surface {
-    return Surface(position, normal, normal, uv, position, 0.0);
+    return Surface(position, normal, normal, uv, position, 0.0, vec4f(0.0));
 }
 
 /// `t` where it lies on the ray, else NO_HIT.

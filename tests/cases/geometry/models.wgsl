@@ -10,9 +10,9 @@ const OBJECT_STRETCHED: u32 = 2u;
 const OBJECT_BLOCK: u32 = 3u;
 const OBJECT_HOLLOW: u32 = 4u;
 /// scenes/models/knot.obj
-const MODEL_KNOT: Model = Model(0u);
+const MODEL_KNOT: Model = Model(0u, false);
 /// scenes/models/gem.glb
-const MODEL_GEM: Model = Model(41620u);
+const MODEL_GEM: Model = Model(41620u, false);
 const LIGHTS: u32 = 1u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = false;

@@ -9,9 +9,9 @@ const OBJECT_FLOOR: u32 = 0u;
 const OBJECT_KNOT: u32 = 1u;
 const OBJECT_GEM: u32 = 2u;
 /// scenes/models/knot.obj
-const MODEL_KNOT: Model = Model(0u);
+const MODEL_KNOT: Model = Model(0u, false);
 /// scenes/models/gem.glb
-const MODEL_GEM: Model = Model(41620u);
+const MODEL_GEM: Model = Model(41620u, false);
 const LIGHTS: u32 = 2u;
 /// Whether any ray goes through a surface.
 const TRANSMITS: bool = true;
