@@ -176,7 +176,7 @@ fn stages(
     if let Some(before) = before {
         library = library.with_known(&before.scene.images, &before.scene.models);
     }
-    let (scene, warnings) = ir::resolve(&name, &text, &root, &library)?;
+    let (scene, mut warnings) = ir::resolve(&name, &text, &root, &library)?;
     let resolve = clock.lap();
     let source = wgsl::generate(&scene, mode);
     let generate = clock.lap();
@@ -188,6 +188,7 @@ fn stages(
             vec![problem]
         })?,
     };
+    warnings.extend(module.warning().cloned());
     let naga = clock.lap();
     let times = Times { parse, resolve, generate, naga };
     Ok((Compiled { text, scene, source, module, times }, warnings))

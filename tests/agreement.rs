@@ -46,6 +46,47 @@ fn random_scenes_agree() {
     check_all((1..=4).map(|seed| (format!("random {seed}"), random_scene(seed))), [240, 135]);
 }
 
+/// Mesa's software driver forgets what more than 80 branches in each other are for.
+#[test]
+fn hundreds_of_objects_materials_textures_and_lights_agree() {
+    let camera = "camera: (eye: (0, 0, 9), target: (0, 0, 0)), render: (texture_filter: false)";
+    let light = "lights: [Directional(direction: (-1, -1, -2))]";
+    let plain: Vec<String> =
+        grid(100).map(|[x, y]| format!("Sphere(center: ({x}, {y}, 0), radius: 0.25)")).collect();
+    let textured = grid(300).enumerate().map(|(i, [x, y])| {
+        let [red, green] = [i % 7, i % 11].map(|n| 0.05 * n as f64 + 0.3);
+        format!(
+            "Sphere(center: ({x}, {y}, 0), radius: 0.16, material: (color: Checker(scale: 0.1, \
+             even: ({red:.3}, {green:.3}, {:.3}), odd: 0.2)))",
+            i as f64 / 300.0
+        )
+    });
+    let textured: Vec<String> = textured.collect();
+    let lights = grid(300).enumerate().map(|(i, [x, y])| {
+        format!("Point(position: ({x}, {y}, {}), intensity: {:.4})", 2 + i % 5, 0.002 * (1 + i % 4) as f64)
+    });
+    let lights: Vec<String> = lights.collect();
+    let scenes = [
+        ("100 objects", format!("({camera}, {light}, objects: [{}])", plain.join(", "))),
+        ("300 textures", format!("({camera}, {light}, objects: [{}])", textured.join(", "))),
+        (
+            "300 lights",
+            format!(
+                "({camera}, lights: [{}], objects: [Sphere(), Plane(point: (0, -1, 0))])",
+                lights.join(", ")
+            ),
+        ),
+    ];
+    check_all(scenes.map(|(name, text)| (name.to_owned(), text)), [96, 64]);
+}
+
+/// So many places of a square, 6 wide.
+fn grid(places: usize) -> impl Iterator<Item = [f64; 2]> {
+    let columns = (places as f64).sqrt().ceil() as usize;
+    let place = move |i: usize| (6.0 * (i as f64 + 0.5) / columns as f64 - 3.0) * 0.999;
+    (0..places).map(move |i| [place(i % columns), place(i / columns)])
+}
+
 fn check_all(scenes: impl IntoIterator<Item = (String, String)>, size: [u32; 2]) {
     let Some(gpu) = common::gpu() else { return };
     expect_none(scenes.into_iter().flat_map(|(name, text)| check(gpu, &name, &text, size)));

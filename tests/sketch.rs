@@ -60,6 +60,36 @@ fn it_takes_live_numbers_and_shows_debug_views() {
     }));
 }
 
+/// Parts in a row, each with a material of its own, and a block to cut them out of or to have in common.
+#[test]
+fn it_is_what_a_driver_draws_of_solids_of_300_parts() {
+    let ball = |i: usize| {
+        let [x, y] = [i % 18, i / 18].map(|n| 0.33 * n as f64 - 2.8);
+        let color = [i % 5, i % 7, i % 11].map(|n| (0.1 + 0.08 * n as f64).to_string()).join(", ");
+        format!("Sphere(center: ({x}, {y}, 0.4), radius: 0.2, material: (color: ({color})))")
+    };
+    let balls = (0..300).map(ball).collect::<Vec<_>>().join(", ");
+    let block = "Box(min: (-3, -3, -1), max: (3.2, 3, 0.4))";
+    let round = |i: usize| {
+        let [x, y] = [(i as f64).sin(), (i as f64).cos()].map(|n| 0.8 * n);
+        let color = [i % 5, i % 7, i % 11].map(|n| (0.1 + 0.08 * n as f64).to_string()).join(", ");
+        format!("Sphere(center: ({x}, {y}, 0), radius: 3, material: (color: ({color})))")
+    };
+    let rounds = (0..300).map(round).collect::<Vec<_>>().join(", ");
+    let solids = [
+        ("union", format!("Union(parts: [{balls}])")),
+        ("difference", format!("Difference(parts: [{block}, {balls}])")),
+        ("intersection", format!("Intersection(parts: [{rounds}])")),
+    ];
+    expect_none(solids.into_iter().filter_map(|(name, solid)| {
+        let scene = format!(
+            "(camera: (eye: (0, 0, 9), target: (0, 0, 0)), lights: [Directional(direction: (-1, -1, -2))], objects: [{solid}])"
+        );
+        let compiled = expect_compiled(outcome_of(name, &scene, Mode::Baked));
+        difference(&compiled, &Moment::of(&compiled.scene))
+    }));
+}
+
 /// Ways through a function that no snippet of raytoy's takes, or few: as the colors of a ball.
 const WAYS: [&str; 8] = [
     // Lanes leave a loop at different steps, some of them by the function's end.

@@ -48,6 +48,9 @@ impl std::error::Error for GpuError {}
 /// A device that has not answered for this long will not.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// A driver that runs on the processor compiles in that time, too: a minute for some 300 objects.
+const PATIENCE_WITH_SOFTWARE: Duration = Duration::from_secs(900);
+
 /// Asks Mesa's software driver to compile sooner, for shaders that draw half as fast: an author waits for the
 /// compile at each structural edit, and a picture comes coarse first. Other drivers do not look at it.
 ///
@@ -170,8 +173,17 @@ impl Gpu {
     /// Where something went wrong meanwhile, or the device stops to answer.
     pub fn wait(&self) -> Result<(), GpuError> {
         self.check()?;
-        let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) };
-        self.device.poll(wait).map(drop).map_err(|error| GpuError::Lost(error.to_string()))
+        let patience = if self.is_software() { PATIENCE_WITH_SOFTWARE } else { PATIENCE };
+        let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(patience) };
+        self.device.poll(wait).map(drop).map_err(|error| match error {
+            wgpu::PollError::Timeout if self.is_software() => GpuError::Refused(format!(
+                "{} minutes were not enough to compile and draw; a driver that runs on the processor takes \
+                 long where a scene has many objects or parts: take a GPU, or leave some of them out",
+                patience.as_secs() / 60
+            )),
+            wgpu::PollError::Timeout => GpuError::Lost(format!("not within {} s", patience.as_secs())),
+            other => GpuError::Lost(other.to_string()),
+        })
     }
 
     /// The bytes of a texture whose texels have `texel_bytes`, by rows from the top.

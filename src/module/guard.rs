@@ -7,7 +7,7 @@ use std::collections::{HashMap, HashSet};
 
 use naga::{Arena, Block, Expression, Function, Handle, Literal, Module, Span, Statement, SwitchCase};
 
-use super::place;
+use super::{is_authors, place};
 use crate::diagnostic::{Diagnostic, Place, Report};
 use crate::wgsl::Source;
 
@@ -40,14 +40,6 @@ pub fn lay_into(module: &mut Module, source: &Source) -> Vec<Report> {
         writer.rewrite(&mut entry.function);
     }
     writer.reports
-}
-
-fn is_authors(source: &Source, span: Span) -> bool {
-    let range = span.to_range();
-    range.is_some_and(|range| {
-        let section = source.origin(range.start).0;
-        !section.ships() && section.name != source.sections[0].name
-    })
 }
 
 /// What is known while the functions are rewritten, which have moved already. The text has their old handles.

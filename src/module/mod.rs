@@ -3,10 +3,12 @@
 //! In: a [`Source`]. Out: a [`Module`] that wgpu will take, or diagnostics. Loops of the author's end in it.
 
 mod guard;
+pub mod nesting;
 
 use std::ops::Range;
 use std::sync::Arc;
 
+use naga::Span;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
 use crate::diagnostic::{Diagnostic, Place, Report};
@@ -18,6 +20,7 @@ pub struct Module {
     naga: Arc<naga::Module>,
     info: Arc<ModuleInfo>,
     loops: Arc<[Report]>,
+    warning: Option<Diagnostic>,
 }
 
 impl Module {
@@ -33,6 +36,11 @@ impl Module {
     /// What to tell of each loop that shaders/guard.wgsl may have to end, in the order of its numbers.
     pub fn loops(&self) -> &Arc<[Report]> {
         &self.loops
+    }
+
+    /// What to tell of it although a driver takes it.
+    pub fn warning(&self) -> Option<&Diagnostic> {
+        self.warning.as_ref()
     }
 }
 
@@ -72,7 +80,17 @@ pub fn validate(source: &Source) -> Result<Module, Diagnostic> {
         }
         explained(problem)
     })?;
-    Ok(Module { naga: Arc::new(module), info: Arc::new(info), loops: loops.into() })
+    let warning = nesting::warning(&module, source);
+    Ok(Module { naga: Arc::new(module), info: Arc::new(info), loops: loops.into(), warning })
+}
+
+/// Whether that is in a file beside the scene.
+fn is_authors(source: &Source, span: Span) -> bool {
+    let range = span.to_range();
+    range.is_some_and(|range| {
+        let section = source.origin(range.start).0;
+        !section.ships() && section.name != source.sections[0].name
+    })
 }
 
 fn place(source: &Source, range: Range<usize>) -> Place {

@@ -8,9 +8,6 @@ use super::names::Names;
 use super::objects::WrittenObject;
 use crate::ir::{Combination, Operation, Scene, Solid};
 
-/// The most parts of which one expression asks: naga refuses those that are too deep.
-const MOST_TERMS: usize = 16;
-
 /// A part as the function's local variable.
 struct Part {
     /// Its next crossing.
@@ -64,7 +61,9 @@ impl Writer<'_> {
             lines.extend(self.ask_part(part, solid, objects));
             lines.push("        }");
         }
-        lines.extend(nearest(&parts));
+        let nearest = parts.iter().map(|part| Code::atom(format!("{}.t", part.name)));
+        let nearest = nearest.reduce(|a, b| Code::call("min", [a, b])).expect("a combination has parts");
+        lines.statement(8, "let t = ", &nearest, ";");
         lines.push("        if t >= NO_HIT { break; }");
         lines.push("        rest.t_min = sameUpTo(rest, t);");
         (0..spaces.len()).for_each(|i| lines.push(format!("        moved{i}.t_min = rest.t_min;")));
@@ -79,7 +78,13 @@ impl Writer<'_> {
         let outside = |p: &Part| format!("{}.leaves == {}", p.name, p.turns);
         lines.extend(inside("behind", operation, &parts, leaves, outside));
         lines.push("        if before != behind {");
-        lines.extend(turning(&parts));
+        let object = parts.iter().rev().map(|p| (Code::atom(format!("{}.object", p.name)), &p.turns));
+        let object = object.reduce(|(other, _), (own, turns)| {
+            (Code::call("select", [other, own, Code::atom(turns)]), turns)
+        });
+        let object = object.expect("a combination has parts").0;
+        let crossing = Code::call("Crossing", [Code::atom("t"), object, Code::atom("before")]);
+        lines.statement(12, "return ", &crossing, ";");
         lines.push("        }");
         lines.push("    }");
         lines.push("    return Crossing(NO_HIT, NO_OBJECT, false);");
@@ -145,40 +150,6 @@ impl Writer<'_> {
     }
 }
 
-/// `t`: the nearest of the parts' crossings.
-fn nearest(parts: &[Part]) -> Lines {
-    let mut lines = Lines::default();
-    if parts.len() > MOST_TERMS {
-        lines.push("        var t = NO_HIT;");
-        parts.iter().for_each(|part| lines.push(format!("        t = min(t, {}.t);", part.name)));
-        return lines;
-    }
-    let all = parts.iter().map(|part| Code::atom(format!("{}.t", part.name)));
-    let least = all.reduce(|a, b| Code::call("min", [a, b])).expect("a combination has parts");
-    lines.statement(8, "let t = ", &least, ";");
-    lines
-}
-
-/// The crossing of the whole at `t`, which is that of the first part that turns there.
-fn turning(parts: &[Part]) -> Lines {
-    let mut lines = Lines::default();
-    if parts.len() > MOST_TERMS {
-        lines.push("            var object = NO_OBJECT;");
-        for Part { name, turns, .. } in parts.iter().rev() {
-            lines.push(format!("            object = select(object, {name}.object, {turns});"));
-        }
-        lines.push("            return Crossing(t, object, before);");
-        return lines;
-    }
-    let object = parts.iter().rev().map(|p| (Code::atom(format!("{}.object", p.name)), &p.turns));
-    let object = object
-        .reduce(|(other, _), (own, turns)| (Code::call("select", [other, own, Code::atom(turns)]), turns));
-    let object = object.expect("a combination has parts").0;
-    let crossing = Code::call("Crossing", [Code::atom("t"), object, Code::atom("before")]);
-    lines.statement(12, "return ", &crossing, ";");
-    lines
-}
-
 /// `let name = …`: whether a point is in the whole, by what is said of each part: `yes`, or `no` of those
 /// that are cut away.
 fn inside(
@@ -191,16 +162,7 @@ fn inside(
     let cut = |i: usize| operation == Operation::Difference && i > 0;
     let terms = parts.iter().enumerate().map(|(i, part)| if cut(i) { no(part) } else { yes(part) });
     let operator = if operation == Operation::Union { "||" } else { "&&" };
-    let mut terms: Vec<String> = terms.collect();
     let mut lines = Lines::default();
-    if terms.len() > MOST_TERMS {
-        let groups: Vec<String> =
-            (0..terms.len().div_ceil(MOST_TERMS)).map(|i| format!("{name}{i}")).collect();
-        for (group, terms) in groups.iter().zip(terms.chunks(MOST_TERMS)) {
-            lines.chain(8, &format!("let {group} = "), operator, terms, ";");
-        }
-        terms = groups;
-    }
-    lines.chain(8, &format!("let {name} = "), operator, &terms, ";");
+    lines.chain(8, &format!("let {name} = "), operator, &terms.collect::<Vec<_>>(), ";");
     lines
 }

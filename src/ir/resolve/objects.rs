@@ -203,7 +203,8 @@ impl Resolver<'_> {
         }
         let caption = self.words(written, &["name", "material", "parts"]);
         let name = around.name.to_owned();
-        Some(Solid::Combination(Combination { name, caption, operation, parts: solids }))
+        let combination = Combination { name, caption, operation, parts: solids };
+        Some(Solid::Combination(combination.in_groups()))
     }
 
     /// Reports a part that has no inside.
