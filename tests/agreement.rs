@@ -72,7 +72,7 @@ fn hundreds_of_objects_materials_textures_and_lights_agree() {
         (
             "300 lights",
             format!(
-                "({camera}, lights: [{}], objects: [Sphere(), Plane(point: (0, -1, 0))])",
+                "({camera}, lights: [{}], objects: [Sphere(), Quad(corner: (-3, -3, -1), u: (6, 0, 0), v: (0, 6, 0))])",
                 lights.join(", ")
             ),
         ),

@@ -4,12 +4,16 @@ mod common;
 
 use std::process::Command;
 
-use common::{check_text, expect_compiled, expect_none, files, good_scenes, outcome, root};
+use common::{check_text, expect_compiled, expect_none, files, good_scenes, outcome, outcome_of, root};
+use raytoy::ir::Measure;
+use raytoy::module::nesting::deepest;
 use raytoy::wgsl::Mode;
 
 /// The longest line and the longest function of the text that raytoy writes.
 const MOST_COLUMNS: usize = 100;
 const MOST_STATEMENTS: usize = 300;
+/// Of which one is in the other.
+const MOST_BRANCHES: usize = 50;
 
 #[test]
 fn each_scene_generates_its_golden() {
@@ -59,6 +63,30 @@ fn lines_and_functions_stay_short() {
                 assert!(statements <= MOST_STATEMENTS, "{scene}, {mode:?}: {name} has {statements}");
             }
         }
+    }
+}
+
+/// Mesa's software driver forgets those beyond 80, and snippets of authors come on top.
+#[test]
+fn branches_in_each_other_stay_few() {
+    let list = |part: &dyn Fn(usize) -> String| (0..300).map(part).collect::<Vec<_>>().join(", ");
+    let ball = |i: usize| {
+        format!(
+            "Sphere(center: ({i}, 0, 0), material: (color: Checker(even: 0.{i}), bump: (height: Noise(scale: {}))))",
+            1 + i % 90
+        )
+    };
+    let light = |i: usize| format!("Point(position: ({i}, 5, 0))");
+    let part = |i: usize| format!("Sphere(center: ({i}, 9, 0), radius: 2)");
+    let [balls, lights, parts] = [list(&ball), list(&light), list(&part)];
+    let combined = ["Union", "Difference", "Intersection"].map(|kind| format!("{kind}(parts: [{parts}])"));
+    let many = format!("(lights: [{lights}], objects: [{balls}, {}])", combined.join(", "));
+    let many = expect_compiled(outcome_of("300 of each", &many, Mode::Baked));
+    let measured = many.measuring(Measure::Pattern).expect("nothing has that name");
+    let scenes = good_scenes().into_iter().map(|scene| expect_compiled(outcome(&scene, Mode::Baked)));
+    for compiled in scenes.chain([many, measured]) {
+        let depth = deepest(compiled.module.naga()).depth;
+        assert!(depth <= MOST_BRANCHES, "{} has {depth} branches in each other", compiled.scene.name);
     }
 }
 

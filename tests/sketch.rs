@@ -2,12 +2,14 @@
 
 mod common;
 
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 use common::{expect_compiled, expect_none, good_scenes, gpu, outcome, outcome_of};
 use raytoy::Compiled;
-use raytoy::gpu::{Frame, Moment, View, render};
-use raytoy::sketch::Sketch;
+use raytoy::capture::SAMPLE;
+use raytoy::gpu::{Frame, Moment, Renderer, View};
+use raytoy::sketch::{Sketch, canary};
 use raytoy::wgsl::Mode;
 
 const SIZE: [u32; 2] = [72, 48];
@@ -26,11 +28,15 @@ fn sketched(compiled: &Compiled, moment: &Moment) -> Vec<[f32; 4]> {
     sketch.draw(&frame, FOR_EVER).expect("there is time")
 }
 
-/// What is wrong with the sketch of `compiled`, next to what the driver draws.
+/// What is wrong with the sketch of `compiled`, next to what the driver draws, or what the driver is doubted over.
 fn difference(compiled: &Compiled, moment: &Moment) -> Option<String> {
     let gpu = gpu()?;
     let sketch = sketched(compiled, moment);
-    let picture = render(gpu, compiled, moment, SIZE, 1, &mut |_| ()).expect("the driver draws it");
+    let mut renderer = Renderer::new(gpu, compiled, SIZE).expect("the driver takes it");
+    let picture = renderer.draw(moment, 1, &mut |_| ControlFlow::Continue(())).expect("the driver draws it");
+    let picture = picture.expect("nobody stops it");
+    let sample = renderer.sample(moment, SAMPLE).expect("the driver draws it");
+    let doubt = canary::doubt(compiled, moment, SAMPLE, &sample, FOR_EVER);
     let shown = |x: f32| x.clamp(0.0, 1.0).powf(1.0 / 2.2);
     let near = sketch.iter().zip(&picture.radiance).zip(&picture.depth).filter(|((pixel, light), depth)| {
         let is_light = (0..3).all(|c| (shown(pixel[c]) - shown(light[c])).abs() <= NEAR);
@@ -40,7 +46,9 @@ fn difference(compiled: &Compiled, moment: &Moment) -> Option<String> {
     });
     let share = near.count() as f64 / sketch.len() as f64;
     let name = &compiled.scene.name;
-    (share < MOST).then(|| format!("{name}: {:.2} % of the pixels are as the driver has them", 100.0 * share))
+    (share < MOST || doubt.is_some()).then(|| {
+        format!("{name}: {:.2} % of the pixels are as the driver has them; {doubt:?}", 100.0 * share)
+    })
 }
 
 #[test]
@@ -62,20 +70,20 @@ fn it_takes_live_numbers_and_shows_debug_views() {
 
 /// Parts in a row, each with a material of its own, and a block to cut them out of or to have in common.
 #[test]
-fn it_is_what_a_driver_draws_of_solids_of_300_parts() {
+fn it_is_what_a_driver_draws_of_solids_of_100_parts() {
     let ball = |i: usize| {
-        let [x, y] = [i % 18, i / 18].map(|n| 0.33 * n as f64 - 2.8);
+        let [x, y] = [i % 10, i / 10].map(|n| 0.6 * n as f64 - 2.7);
         let color = [i % 5, i % 7, i % 11].map(|n| (0.1 + 0.08 * n as f64).to_string()).join(", ");
-        format!("Sphere(center: ({x}, {y}, 0.4), radius: 0.2, material: (color: ({color})))")
+        format!("Sphere(center: ({x}, {y}, 0.4), radius: 0.35, material: (color: ({color})))")
     };
-    let balls = (0..300).map(ball).collect::<Vec<_>>().join(", ");
+    let balls = (0..100).map(ball).collect::<Vec<_>>().join(", ");
     let block = "Box(min: (-3, -3, -1), max: (3.2, 3, 0.4))";
     let round = |i: usize| {
         let [x, y] = [(i as f64).sin(), (i as f64).cos()].map(|n| 0.8 * n);
         let color = [i % 5, i % 7, i % 11].map(|n| (0.1 + 0.08 * n as f64).to_string()).join(", ");
         format!("Sphere(center: ({x}, {y}, 0), radius: 3, material: (color: ({color})))")
     };
-    let rounds = (0..300).map(round).collect::<Vec<_>>().join(", ");
+    let rounds = (0..100).map(round).collect::<Vec<_>>().join(", ");
     let solids = [
         ("union", format!("Union(parts: [{balls}])")),
         ("difference", format!("Difference(parts: [{block}, {balls}])")),
@@ -88,6 +96,93 @@ fn it_is_what_a_driver_draws_of_solids_of_300_parts() {
         let compiled = expect_compiled(outcome_of(name, &scene, Mode::Baked));
         difference(&compiled, &Moment::of(&compiled.scene))
     }));
+}
+
+/// Snippets of a hundred cases, and whether Mesa's software driver loses count of their branches.
+fn long_snippets() -> [(&'static str, String, bool); 6] {
+    let case = |i: usize| format!("vec3f(fract(x * {i}.0), 0.3 + 0.3 * cos({i}.0 * y), 0.01 * {i}.0)");
+    let cases =
+        |line: &dyn Fn(usize, String) -> String| (0..100).map(|i| line(i, case(i))).collect::<String>();
+    let start = "    var color = vec3f(0.0);\n";
+    let end = "    return color;\n";
+    [
+        (
+            "returns",
+            cases(&|i, c| format!("    if k == {i} {{ return {c}; }}\n")) + "    return vec3f(1.0);\n",
+            true,
+        ),
+        (
+            "elseIfs",
+            format!(
+                "{start}    if k < 0 {{ color.x = 1.0; }}\n{}{end}",
+                cases(&|i, c| format!("    else if k == {i} {{ color = {c}; }}\n"))
+            ),
+            true,
+        ),
+        (
+            "nested",
+            format!(
+                "{start}{}{}\n{end}",
+                cases(&|i, c| format!("    if k >= {i} {{ color = {c};\n")),
+                "}".repeat(100)
+            ),
+            true,
+        ),
+        (
+            "caseReturns",
+            format!(
+                "    switch k {{\n{}    default: {{ return vec3f(1.0); }} }}\n",
+                cases(&|i, c| format!("    case {i}: {{ return {c}; }}\n"))
+            ),
+            true,
+        ),
+        (
+            "caseAssigns",
+            format!(
+                "{start}    switch k {{\n{}    default: {{}} }}\n{end}",
+                cases(&|i, c| format!("    case {i}: {{ color = {c}; }}\n"))
+            ),
+            false,
+        ),
+        (
+            "breaks",
+            format!(
+                "{start}    for (var i = 0; i < 3; i++) {{\n{}    }}\n{end}",
+                cases(&|i, c| format!("    if k == {i} {{ color = {c}; break; }}\n"))
+            ),
+            false,
+        ),
+    ]
+}
+
+#[test]
+fn a_driver_that_draws_wrong_is_found_out_and_the_line_is_named_before() {
+    for (name, body, is_deep) in long_snippets() {
+        let snippet = format!(
+            "/// A test.\nfn {name}(at: Surface) -> vec3f {{\n    let x = 0.5 + 0.25 * at.position.x;\n    \
+             let y = at.position.y;\n    let k = i32(100.0 * x);\n{body}}}\n"
+        );
+        let file = name.replace('R', "_r").replace('A', "_a").replace('I', "_i");
+        let form = name[..1].to_uppercase() + &name[1..];
+        let scene = format!(
+            "(camera: (eye: (0, 0, 4), target: (0, 0, 0)), \
+             objects: [Quad(corner: (-2, -2, 0), u: (4, 0, 0), v: (0, 4, 0), material: (color: 0, emission: {form}()))])"
+        );
+        let sources = raytoy::sources::Sources::in_memory()
+            .with("long.ron", &scene)
+            .with(format!("textures/{file}.wgsl"), &snippet);
+        let outcome = raytoy::compile(&sources, "long.ron".as_ref(), Mode::Baked, None);
+        let report = outcome.report.to_string();
+        assert_eq!(report.contains("branches in each other"), is_deep, "{name}: {report}");
+        assert_eq!(report.contains(&format!("textures/{file}.wgsl:10")), is_deep, "{name}: {report}");
+        let compiled = expect_compiled(outcome);
+        let Some(gpu) = gpu() else { continue };
+        let moment = Moment::of(&compiled.scene);
+        let renderer = Renderer::new(gpu, &compiled, SIZE).expect("the driver takes it");
+        let drawn = renderer.sample(&moment, SAMPLE).expect("the driver draws it");
+        let doubt = canary::doubt(&compiled, &moment, SAMPLE, &drawn, FOR_EVER);
+        assert_eq!(doubt.is_some(), is_deep && gpu.is_software(), "{name}: {doubt:?}");
+    }
 }
 
 /// Ways through a function that no snippet of raytoy's takes, or few: as the colors of a ball.

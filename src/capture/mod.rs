@@ -48,7 +48,13 @@ pub enum Format {
 pub struct Still {
     pub bytes: Vec<u8>,
     pub times: PictureTimes,
+    /// One sample of the same moment in the size `SAMPLE`, by which a driver is held to account: only of those
+    /// that run on the processor, which may draw wrong without a word.
+    pub sample: Option<Vec<[f32; 4]>>,
 }
+
+/// Pixels of a [`Still::sample`].
+pub const SAMPLE: [u32; 2] = [16, 16];
 
 /// Why there is no capture.
 #[derive(Debug)]
@@ -75,7 +81,12 @@ pub fn still(
     format: Format,
     progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
 ) -> Result<Still, CaptureError> {
-    shot.still(&mut shot.renderer()?, format, progress)
+    let mut renderer = shot.renderer()?;
+    let mut still = shot.still(&mut renderer, format, progress)?;
+    if shot.gpu.is_software() {
+        still.sample = Some(renderer.sample(&Moment { split: None, ..shot.moment }, SAMPLE)?);
+    }
+    Ok(still)
 }
 
 impl Format {
@@ -120,7 +131,7 @@ impl Shot<'_> {
                 (picture, bytes)
             }
         };
-        Ok(Still { bytes, times: picture.times })
+        Ok(Still { bytes, times: picture.times, sample: None })
     }
 }
 

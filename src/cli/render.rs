@@ -10,11 +10,16 @@ use super::args::RenderOptions;
 use super::stats::Stats;
 use super::{Failure, Result, frames, print_report, write_output};
 use crate::Compiled;
-use crate::capture::{self, Format, MovieFormat, Shot};
+use crate::capture::{self, Format, MovieFormat, SAMPLE, Shot};
+use crate::diagnostic::{Diagnostic, Report};
 use crate::gpu::{Gpu, Moment, Split, View};
 use crate::ir::Measure;
+use crate::sketch::canary::{self, Doubt};
 use crate::suite::is_settings;
 use crate::wgsl::Mode;
+
+/// A picture must not wait longer for the question whether it is right.
+const MOST_FOR_DOUBTS: Duration = Duration::from_millis(200);
 
 pub fn run(options: &RenderOptions) -> Result {
     if let Some(name) = options.value.as_ref().filter(|_| !shows_numbers(options)) {
@@ -119,7 +124,23 @@ fn draw(shot: &Shot<'_>, output: &Path) -> Result<Stats> {
     if output != Path::new("-") {
         eprintln!("{}: {}x{}", output.display(), shot.size[0], shot.size[1]);
     }
+    if let Some(doubt) = still.sample.as_ref().and_then(|drawn| {
+        let moment = Moment { split: None, ..shot.moment };
+        canary::doubt(shot.compiled, &moment, SAMPLE, drawn, MOST_FOR_DOUBTS)
+    }) {
+        print_report(&Report { diagnostics: vec![doubtful(shot, doubt)], texts: Default::default() });
+    }
     Ok(Stats::new(shot, &still.times))
+}
+
+fn doubtful(shot: &Shot<'_>, doubt: Doubt) -> Diagnostic {
+    let Doubt { wrong, pixels } = doubt;
+    let name = &shot.compiled.scene.name;
+    let message =
+        format!("the driver draws `{name}` wrong: {wrong} of {pixels} pixels are not as they should");
+    Diagnostic::warning(message)
+        .help(format!("this is {}; take a GPU with --adapter, or another version", shot.gpu.describe()))
+        .help("`raytoy check` names the snippet that has too many branches, if that is why")
 }
 
 /// Shows a bar on the terminal once the work takes longer than a person likes to wait. It always goes on.

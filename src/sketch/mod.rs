@@ -4,6 +4,7 @@
 //! steps, each of which is taken for a square of pixels at once; so no machine code is made, and a picture of
 //! some ten thousand pixels is there in less time than most drivers take to compile.
 
+pub mod canary;
 mod images;
 mod lanes;
 mod lower;
