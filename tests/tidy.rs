@@ -78,6 +78,7 @@ const IMPORTS: [(&str, &[&str]); 23] = [
             "gpu",
             "ir",
             "library",
+            "sketch",
             "sources",
             "suite",
             "wgsl",

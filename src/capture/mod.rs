@@ -48,8 +48,8 @@ pub enum Format {
 pub struct Still {
     pub bytes: Vec<u8>,
     pub times: PictureTimes,
-    /// One sample of the same moment in the size `SAMPLE`, by which a driver is held to account: only of those
-    /// that run on the processor, which may draw wrong without a word.
+    /// One sample of the same moment in the size `SAMPLE`, by which a driver is held to account: only of
+    /// those that run on the processor, which may draw wrong without a word.
     pub sample: Option<Vec<[f32; 4]>>,
 }
 

@@ -1,8 +1,8 @@
 //! How many branches a driver has in each other at most, once all functions are written into one.
 //!
-//! In: a module. Out: their number, and a warning where Mesa's software driver forgets some of them. On its way
-//! to them, all that follows a branch with a `return` or `continue` in it goes into a branch of its own, and so
-//! do the later cases of a `switch`; in a loop `return` is a `break`, and does nothing of the kind.
+//! In: a module. Out: their number, and a warning where Mesa's software driver forgets some of them. On its
+//! way to them, all that follows a branch with a `return` or `continue` in it goes into a branch of its own,
+//! and so do the later cases of a `switch`; in a loop `return` is a `break`, and does nothing of the kind.
 
 use naga::{Block, Module, ShaderStage, Span, Statement};
 
@@ -46,8 +46,8 @@ pub fn warning(module: &Module, source: &Source) -> Option<Diagnostic> {
     let problem =
         Diagnostic::warning(message).at(place(source, innermost.to_range()?), "this is in all of them");
     Some(problem.help(
-        "all that follows an `if` with a `return` or `continue` counts as in it, and so do each `else if`, and \
-         the later cases of a `switch` that return: write a `switch` whose cases assign to a `var`, \
+        "all that follows an `if` with a `return` or `continue` counts as in it, and so do each `else if`, \
+         and the later cases of a `switch` that return: write a `switch` whose cases assign to a `var`, \
          and return that at the end",
     ))
 }

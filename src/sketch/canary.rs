@@ -22,8 +22,8 @@ pub struct Doubt {
     pub pixels: usize,
 }
 
-/// What speaks against `drawn`: light and depth of each pixel of the first sample in `size`, without a jitter.
-/// Nothing where the scene cannot be sketched, or not within `patience`.
+/// What speaks against `drawn`: light and depth of each pixel of the first sample in `size`, without a
+/// jitter. Nothing where the scene cannot be sketched, or not within `patience`.
 pub fn doubt(
     compiled: &Compiled,
     moment: &Moment,
