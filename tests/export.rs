@@ -1,5 +1,7 @@
 //! Exports: each scene in each language, judged by those who read it; drawn without raytoy; two as their goldens say.
 
+#[path = "export/bodies.rs"]
+mod bodies;
 mod common;
 #[path = "export/files.rs"]
 mod files;
@@ -17,11 +19,11 @@ use common::{check_text, expect_compiled, expect_none, good_scenes, outcome, out
 use naga::BinaryOperator;
 use naga::Expression::Binary;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
-use raytoy::Compiled;
 use raytoy::export::{Export, ExportError, Language, export};
 use raytoy::gpu::View;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
+use raytoy::{Compiled, Outcome};
 
 const SCENE: &str = "tests/cases/export/stands_alone.ron";
 
@@ -70,6 +72,47 @@ fn chrome_takes_each_text() {
     let unclear = "fn f(a: i32, b: i32, c: bool) -> bool { return a < b & c; }".to_owned();
     let told = tint::objections(&[unclear]).expect("it was there before").remove(0);
     assert!(told.contains("requires parenthes"), "Tint is awake: {told}");
+}
+
+/// What it refuses has a place in the author's file.
+#[test]
+fn what_check_takes_every_command_takes() {
+    let mut texts = vec![];
+    let mut problems = vec![];
+    for line in bodies::BODIES.lines().filter(|line| !line.is_empty()) {
+        let (outside, body) = line.split_once(" | ").unwrap_or(("", line));
+        let texture = format!("{outside}\n/// A wave.\nfn wave(at: Surface) -> f32 {{ {body} }}\n");
+        let sources = Sources::in_memory().with("a.ron", "(objects: [Sphere(material: (color: Wave()))])");
+        let sources = sources.with("textures/wave.wgsl", &texture);
+        let Outcome { compiled, report } = raytoy::compile(&sources, "a.ron".as_ref(), Mode::Baked, None);
+        let Some(compiled) = compiled else {
+            let place = report.diagnostics[0].labels.first().map(|(place, _)| place.file.as_str());
+            if place != Some("textures/wave.wgsl") {
+                problems.push(format!("{line}: it is not refused at its place: {report}"));
+            }
+            continue;
+        };
+        for (language, wanted) in Language::ALL {
+            match export(&compiled, wanted) {
+                // Shadertoy lacks some of WGSL, and that is told.
+                Err(_) if wanted == Language::Glsl => {}
+                Err(error) => problems.push(format!("{line}: as {language}: {error}")),
+                Ok(Export { shader, .. }) => {
+                    problems.extend(judge(wanted, &shader).err().map(|why| format!("{line}: {why}")));
+                }
+            }
+        }
+        match compiled.probed() {
+            Err(problem) => problems.push(format!("{line}: as a probe: {problem:?}")),
+            Ok(probed) => texts.push((line, probed.source.text())),
+        }
+    }
+    let (names, texts): (Vec<&str>, Vec<String>) = texts.into_iter().unzip();
+    let refused = tint::objections(&texts).unwrap_or_default();
+    problems.extend(
+        names.iter().zip(refused).filter(|(_, why)| !why.is_empty()).map(|(n, why)| format!("{n}: {why}")),
+    );
+    expect_none(problems);
 }
 
 /// `%` of negative numbers is undefined there.
@@ -183,14 +226,8 @@ fn what_a_texture_cannot_do_on_its_own_is_told() {
         export(&compiled, language).expect_err("it is refused").to_string()
     };
     assert_eq!(
-        error("shown", "return 1.0;", Language::Wgsl),
-        "the scene cannot stand on its own: redefinition of `shown` (in textures/shown.wgsl)"
-    );
-    let local = "var iTime = frame.time; return iTime * iTime;";
-    assert_eq!(
-        error("waves", local, Language::Glsl),
-        "the scene cannot stand on its own: one of its textures or shapes uses a name that Shadertoy has taken, \
-         such as `iTime`"
+        error("waves", "return f32(countOneBits(u32(at.uv.x)));", Language::Glsl),
+        "the scene cannot stand on its own: Shadertoy has no `countOneBits`, which `waves` uses"
     );
     let unknown = "return f32(select(vec2u(1u), vec2u(2u), at.uv > vec2f(0.0)).x);";
     assert_eq!(

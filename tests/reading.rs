@@ -76,3 +76,102 @@ fn utf_16_is_called_by_its_name() {
         assert!(told.contains(&expected) && told.contains("help: save it as UTF-8"), "{told}");
     }
 }
+
+/// What is said of a texture, which a scene calls by `name`, in `file`.
+fn told_of(file: &str, name: &str, texture: &str) -> String {
+    let scene = format!("(objects: [Sphere(material: (color: {name}()))])");
+    let sources = Sources::in_memory().with("a.ron", &scene).with(format!("textures/{file}"), texture);
+    let outcome = raytoy::compile(&sources, "a.ron".as_ref(), Mode::Baked, None);
+    assert_ne!(outcome.compiled.is_some(), outcome.report.has_errors());
+    outcome.report.to_string()
+}
+
+#[test]
+fn a_signature_is_read_as_wgsl_reads_it() {
+    let right = [
+        "/// Dune.\n///\n/// tilt = 1: a\nfn dune(\n  at: Surface, // (where: always, first\n  /* no, */ tilt: f32,\n) -> f32 { return tilt; }",
+        "/*\n/// Old.\nfn dune(at: Surface, old: f32) -> f32 { return old; }\n/* inner */\n*/\n\n/// Dune.\nfn dune(at: Surface) -> f32 { return 1.0; }",
+        "// fn dune(old: f32) -> f32 { return old; }\n/// Dune.\nfn dune(at: Surface) -> f32 { return 1.0; }",
+        "/// Dune.\n@must_use\nfn dune(at: Surface) -> f32 { return 1.0; }",
+        "/// Dune.\n@must_use fn dune (at : Surface) -> vec3<f32>\n{\n return vec3f(1.0); }",
+        "/// Dune.\r\n///\r\n/// tilt = 1: a\r\nfn dune(at: Surface, tilt: f32) -> f32\r\n{\r\n  return tilt;\r\n}\r\n",
+        "/// Dune.\r///\r/// tilt = 1: a\rfn dune(at: Surface, tilt: f32) -> f32 { return tilt; }\r",
+        "\u{feff}/// Dune.\n///\n/// tilt = 1: a\nfn dune(at: Surface, tilt: f32) -> f32 { return tilt; }",
+        "\u{feff}fn dune(at: Surface) -> f32 { return 1.0; }",
+        "  /// Dune.\n  ///\n  /// tilt = 1: a\n  // note\n  fn /* of sand */ dune(at: Surface, tilt: f32,) -> /* how */ f32 { return tilt; }",
+        "alias dunePair = vec2<f32>; struct DunePoint { p: dunePair, } const DUNES = 3;\n/// Dune.\nfn dune(at: Surface) -> f32 { return duneΔ(1.0); }\nfn duneΔ(größe: f32) -> f32 { return größe; } ",
+        "/// Dune.\nfn\ndune\n(\nat\n:\nSurface\n)\n->\nf32\n{ return perlinNoise (at.position); }",
+    ];
+    expect_none(right.into_iter().filter_map(|texture| {
+        let told = told_of("dune.wgsl", "Dune", texture);
+        (!told.is_empty()).then(|| format!("{texture}\n{told}"))
+    }));
+}
+
+#[test]
+fn a_file_may_be_called_as_its_function() {
+    for (file, function) in [
+        ("my-rings.wgsl", "myRings"),
+        ("my_rings.wgsl", "myRings"),
+        ("MyRings.wgsl", "myRings"),
+        ("myRings.wgsl", "myRings"),
+    ] {
+        let texture = format!("/// Rings.\nfn {function}(at: Surface) -> f32 {{ return 1.0; }}\n");
+        assert_eq!(told_of(file, "MyRings", &texture), "", "{file}");
+    }
+    let told = told_of("größe.wgsl", "Größe", "/// Size.\nfn größe(at: Surface) -> f32 { return 1.0; }\n");
+    assert_eq!(told, "");
+}
+
+/// Each at its word in the author's file, in words that say what to write.
+#[test]
+fn what_a_snippet_cannot_have_is_told_at_its_place() {
+    let deep =
+        format!("fn wave(at: Surface) -> f32 {{ return {}1.0{}; }}", "(".repeat(10_000), ")".repeat(10_000));
+    let signs = format!("fn wave(at: Surface) -> f32 {{ return {}1.0; }}", "-".repeat(10_000));
+    let wave = |body: &str| format!("fn wave(at: Surface) -> f32 {{ {body} }}");
+    let beside = |line: &str| format!("{line}\nfn wave(at: Surface) -> f32 {{ return 1.0; }}");
+    let cases = [
+        (deep, "brackets are nested more than 100 deep", "let part"),
+        (signs, "brackets are nested more than 100 deep", "let part"),
+        (wave("return fwidth(at.uv.x);"), "`fwidth` asks the pixels beside this one", "at.footprint"),
+        (wave("discard; return 1.0;"), "`discard` is for entry points", "return"),
+        (wave("return select(0.0, 1.0, at.uv.x < 1.0 & true);"), "`<` and `&` need brackets", "Chrome"),
+        (beside("override waveLevel = 1.0;"), "nobody gives an `override` its value", "write `const`"),
+        (beside("@group(0) @binding(0) var<uniform> t: f32;"), "a texture has no bindings", "frame.time"),
+        (beside("@compute @workgroup_size(1) fn waveMain() {}"), "no entry points", "fn wave"),
+        (beside("var<workgroup> waveShared: f32;"), "must be `var<private>`", "const"),
+        (beside("enable f16;"), "`enable` stands at the top", "leave the line out"),
+        (beside("#define PI 3.14"), "this looks like GLSL", "const NAME"),
+        ("vec3 wave(vec2 uv) { return vec3(1.0); }".into(), "this looks like GLSL", "fn name"),
+        (beside("const frame = 1.0;"), "the name `frame` is taken: raytoy has it in", "waveFrame"),
+        (beside("const background = 1.0;"), "the name `background` is taken", "waveBackground"),
+        (beside("struct Surface { x: f32 }"), "the name `Surface` is taken", "waveSurface"),
+    ];
+    expect_none(cases.into_iter().filter_map(|(texture, message, help)| {
+        let told = told_of("wave.wgsl", "Wave", &format!("/// A wave.\n{texture}\n"));
+        let is_right =
+            told.contains(message) && told.contains(help) && told.contains("textures/wave.wgsl:2:");
+        (!is_right).then(|| told[..told.len().min(600)].to_owned())
+    }));
+}
+
+#[test]
+fn names_of_wgsl_and_of_raytoy_are_taken() {
+    let names = [
+        ("mix", "mix"),
+        ("length", "length"),
+        ("array", "array"),
+        ("luminance", "luminance"),
+        ("shown", "shown"),
+        ("surface_at", "surfaceAt"),
+        ("main_image", "mainImage"),
+    ];
+    for (stem, name) in names {
+        let call = name[..1].to_uppercase() + &name[1..];
+        let texture = format!("/// A texture.\nfn {name}(at: Surface) -> f32 {{ return 1.0; }}\n");
+        let told = told_of(&format!("{stem}.wgsl"), &call, &texture);
+        let place = format!("textures/{stem}.wgsl:2:4");
+        assert!(told.contains(&format!("the name `{name}` is taken")) && told.contains(&place), "{told}");
+    }
+}

@@ -5,7 +5,7 @@
 use naga::back::glsl::{Options, PipelineOptions, Version, Writer, WriterFlags};
 use naga::proc::BoundsCheckPolicies;
 use naga::valid::ModuleInfo;
-use naga::{Expression, Handle, Module, ScalarKind, TypeInner};
+use naga::{Expression, Handle, MathFunction, Module, ScalarKind, TypeInner};
 
 use super::standalone::Standalone;
 use super::{ExportError, head};
@@ -27,9 +27,28 @@ const CHANGES: [(&str, &str); 8] = [
     ("    _fs2p_location0 = vec4(", "    fragColor = vec4("),
 ];
 
+/// What Shadertoy declares.
+const INPUTS: [&str; 4] = ["iResolution", "iTime", "iFrame", "iMouse"];
+
+/// Functions that only later versions of GLSL have.
+const LATER: [(MathFunction, &str); 11] = [
+    (MathFunction::CountOneBits, "countOneBits"),
+    (MathFunction::ReverseBits, "reverseBits"),
+    (MathFunction::CountLeadingZeros, "countLeadingZeros"),
+    (MathFunction::CountTrailingZeros, "countTrailingZeros"),
+    (MathFunction::FirstLeadingBit, "firstLeadingBit"),
+    (MathFunction::FirstTrailingBit, "firstTrailingBit"),
+    (MathFunction::ExtractBits, "extractBits"),
+    (MathFunction::InsertBits, "insertBits"),
+    (MathFunction::Ldexp, "ldexp"),
+    (MathFunction::Unpack4xI8, "unpack4xI8"),
+    (MathFunction::Unpack4xU8, "unpack4xU8"),
+];
+
 /// naga's translation of shaders/shadertoy.wgsl, with what Shadertoy wants otherwise put right.
 pub fn glsl(scene: &Scene, alone: &Standalone) -> Result<String, ExportError> {
     let Standalone { source, module, info, beside } = alone;
+    let module = &with_locals_apart(module);
     if !beside.files.is_empty() {
         return Err(ExportError::NeedsFiles(beside.files.clone()));
     }
@@ -57,6 +76,23 @@ pub fn glsl(scene: &Scene, alone: &Standalone) -> Result<String, ExportError> {
     Ok(head::shadertoy(scene, source) + &text)
 }
 
+/// naga names what is within functions before what is outside, so that a variable `iTime` would take that
+/// name away.
+fn with_locals_apart(module: &Module) -> Module {
+    let mut module = module.clone();
+    let rename = |name: &mut String| {
+        if INPUTS.contains(&name.as_str()) {
+            name.push('_');
+        }
+    };
+    for (_, function) in module.functions.iter_mut() {
+        function.arguments.iter_mut().filter_map(|argument| argument.name.as_mut()).for_each(rename);
+        function.local_variables.iter_mut().filter_map(|(_, local)| local.name.as_mut()).for_each(rename);
+        function.named_expressions.values_mut().for_each(rename);
+    }
+    module
+}
+
 /// # Errors
 /// Where a function asks for what naga writes as if GLSL ES 3.00 had it: `select` of whole numbers or
 /// switches, each component by itself.
@@ -70,8 +106,15 @@ fn refuse_unknown(module: &Module, info: &ModuleInfo) -> Result<(), ExportError>
             }
             _ => false,
         };
+        let name = function.name.as_deref().unwrap_or_default();
+        let later = function.expressions.iter().find_map(|(_, expression)| match expression {
+            Expression::Math { fun, .. } => LATER.iter().find(|(later, _)| later == fun),
+            _ => None,
+        });
+        if let Some((_, later)) = later {
+            return Err(ExportError::Refused(format!("Shadertoy has no `{later}`, which `{name}` uses")));
+        }
         if function.expressions.iter().any(|(_, expression)| is_unknown(expression)) {
-            let name = function.name.as_deref().unwrap_or_default();
             return Err(ExportError::Refused(format!(
                 "Shadertoy has no `select` for vectors of whole numbers, which `{name}` uses; \
                  write one for each component"

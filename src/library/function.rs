@@ -85,13 +85,13 @@ pub struct Parameter {
     pub doc: String,
 }
 
-/// `WoodGrain` for `wood_grain`.
+/// `WoodGrain` for `wood_grain`, and for `wood-grain`.
 pub fn name_of(stem: &str) -> String {
     let capitalized = |word: &str| {
         let mut letters = word.chars();
         letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect::<String>()
     };
-    stem.split('_').map(capitalized).collect()
+    stem.split(['_', '-']).map(capitalized).collect()
 }
 
 /// `wood_grain` for `WoodGrain`.

@@ -3,9 +3,11 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use super::declarations::{Declaration, Declared, Signature, declarations};
 use super::doc_line::doc_line;
 use super::function::Traits;
-use super::{Family, Function, Kind, Parameter, Type, function};
+use super::lexer::{Token, Tokens, ends_line, is_name_part, tokens};
+use super::{Family, Function, Kind, Parameter, Type, function, unfit};
 use crate::diagnostic::{Diagnostic, Place};
 
 /// Reads the file called `file`, whose stem names its function.
@@ -14,8 +16,15 @@ use crate::diagnostic::{Diagnostic, Place};
 /// All that breaks the contract of LANGUAGE.md; errors of WGSL itself are naga's to find.
 pub fn read(family: Family, file: &str, text: &Arc<str>) -> Result<Function, Vec<Diagnostic>> {
     let stem = file.rsplit('/').next().unwrap_or(file).trim_end_matches(".wgsl");
-    let header = Header { family, file, text, wgsl_name: function::wgsl_name_of(stem) };
-    let mut problems = header.misnamed_helpers();
+    let tokens = tokens(text);
+    let declarations = declarations(&tokens);
+    let wgsl_name = function::wgsl_name_of(stem);
+    let header = Header { family, file, text, wgsl_name, tokens, declarations };
+    let mut problems = unfit::problems(&header);
+    if !problems.is_empty() {
+        return Err(problems);
+    }
+    problems = header.misnamed_helpers();
     let function = header.function(function::name_of(stem), &mut problems);
     match function {
         Some(function) if problems.is_empty() => Ok(function),
@@ -25,22 +34,14 @@ pub fn read(family: Family, file: &str, text: &Arc<str>) -> Result<Function, Vec
 
 pub struct Header<'a> {
     pub family: Family,
+    pub wgsl_name: String,
+    pub tokens: Tokens<'a>,
+    pub declarations: Vec<Declaration<'a>>,
     file: &'a str,
     text: &'a Arc<str>,
-    pub wgsl_name: String,
 }
 
-/// A `name: type` of the signature.
-pub struct Declared<'a> {
-    pub name: &'a str,
-    pub ty: &'a str,
-    pub span: Range<usize>,
-}
-
-/// Where a function starts, its parameters, and what it returns.
-pub type Signature<'a> = (usize, Vec<Declared<'a>>, &'a str);
-
-impl Header<'_> {
+impl<'a> Header<'a> {
     pub fn place(&self, span: Range<usize>) -> Place {
         Place { file: self.file.into(), span }
     }
@@ -48,7 +49,7 @@ impl Header<'_> {
     fn function(&self, name: String, problems: &mut Vec<Diagnostic>) -> Option<Function> {
         let of_ray = self.signature(&self.wgsl_name);
         let main = of_ray.or_else(|| self.distance_signature());
-        let Some((start, declared, returns)) = main else {
+        let Some(signature) = main else {
             let noun = self.family.noun();
             let example = match self.family {
                 Family::Shape => "(ray: Ray, …) -> f32",
@@ -60,9 +61,9 @@ impl Header<'_> {
             problems.push(missing);
             return None;
         };
-        let kind = self.kind(returns, start, &declared, problems)?;
-        let docs = self.doc_lines(start);
-        let own = &declared[1..];
+        let kind = self.kind(&signature, problems)?;
+        let docs = self.doc_lines(signature.start);
+        let own = &signature.declared[1..];
         let mut parameters: Vec<Parameter> =
             own.iter().filter_map(|d| self.parameter(d, &docs, problems)).collect();
         self.check_strangers(own, &docs, problems);
@@ -79,43 +80,21 @@ impl Header<'_> {
         Some(Function { name, wgsl_name, kind, caption, parameters, traits, file, text })
     }
 
-    /// The signature of `fn name`, which starts a line.
-    pub fn signature(&self, name: &str) -> Option<Signature<'_>> {
-        let text = self.text;
-        let head = format!("fn {name}(");
-        let starts_line = |at: usize| at == 0 || text[..at].ends_with('\n');
-        let start = text.match_indices(&head).map(|(at, _)| at).find(|at| starts_line(*at))?;
-        let open = start + head.len();
-        let close = open + text[open..].find(')')?;
-        let mut declared = vec![];
-        let mut at = open;
-        for part in text[open..close].split(',') {
-            let lead = part.len() - part.trim_start().len();
-            if let Some((name, ty)) = part.split_once(':') {
-                let span = at + lead..at + part.trim_end().len();
-                declared.push(Declared { name: name.trim(), ty: ty.trim(), span });
-            }
-            at += part.len() + 1;
-        }
-        let rest = &text[close + 1..];
-        let returns = rest[..rest.find('{')?].trim().strip_prefix("->")?.trim();
-        Some((start, declared, returns))
+    /// The signature of `fn name`.
+    pub fn signature(&self, name: &str) -> Option<Signature<'a>> {
+        let is_called = |d: &&Declaration<'_>| d.name.as_ref().is_some_and(|n| n.is(name));
+        self.declarations.iter().filter(is_called).find_map(|d| d.signature(&self.tokens))
     }
 
-    fn kind(
-        &self,
-        returns: &str,
-        start: usize,
-        declared: &[Declared<'_>],
-        problems: &mut Vec<Diagnostic>,
-    ) -> Option<Kind> {
-        let here = self.place(start..start + 3 + self.wgsl_name.len());
+    fn kind(&self, signature: &Signature<'_>, problems: &mut Vec<Diagnostic>) -> Option<Kind> {
+        let here = self.place(signature.head.clone());
+        let returns = signature.returns.as_str();
         let (first, argument) = match self.family {
             Family::Shape if self.is_distance() => ("vec3f", "p: vec3f"),
             Family::Shape => ("Ray", "ray: Ray"),
             Family::Texture => ("Surface", "at: Surface"),
         };
-        if declared.first().is_none_or(|d| d.ty != first) {
+        if signature.declared.first().is_none_or(|d| d.ty != first) {
             let message = format!("the first parameter of `{}` must be `{argument}`", self.wgsl_name);
             problems.push(Diagnostic::error(message).at(here, ""));
             return None;
@@ -123,7 +102,7 @@ impl Header<'_> {
         let kind = match (self.family, returns) {
             (Family::Shape, "f32") => Kind::Shape,
             (Family::Texture, "f32") => Kind::Pattern,
-            (Family::Texture, "vec3f" | "vec3<f32>") => Kind::Color,
+            (Family::Texture, "vec3f") => Kind::Color,
             (Family::Texture, "Surface") => Kind::Mapping,
             _ => {
                 let allowed = match self.family {
@@ -138,16 +117,24 @@ impl Header<'_> {
         Some(kind)
     }
 
-    /// The `///` lines that end at `start`, with their places.
-    fn doc_lines(&self, start: usize) -> Vec<(&str, Range<usize>)> {
+    /// The `///` lines directly above `start`, with their places; other comments may stand between.
+    fn doc_lines(&self, start: usize) -> Vec<(&'a str, Range<usize>)> {
+        let text: &'a str = self.text;
         let mut lines = vec![];
-        let mut end = start;
-        while let Some(before) = self.text[..end].strip_suffix('\n') {
-            let begin = before.rfind('\n').map_or(0, |n| n + 1);
-            let Some(doc) = before[begin..].strip_prefix("///") else { break };
-            let lead = doc.len() - doc.trim_start().len();
-            lines.push((doc.trim(), begin + 3 + lead..before.len()));
-            end = begin;
+        let mut below = start;
+        let above = self.tokens.line_comments.iter().rev().filter(|comment| comment.end <= start);
+        for comment in above {
+            let between = text[comment.end..below].replace("\r\n", "\n");
+            let before = text[..comment.start].chars().rev().find(|c| ends_line(*c) || !c.is_whitespace());
+            let starts_line = before.is_none_or(|c| ends_line(c) || c == '\u{feff}');
+            if !between.trim().is_empty() || between.matches(ends_line).count() > 1 || !starts_line {
+                break;
+            }
+            below = comment.start;
+            if let Some(doc) = text[comment.clone()].strip_prefix("///") {
+                let lead = comment.start + 3 + doc.len() - doc.trim_start().len();
+                lines.push((doc.trim(), lead..lead + doc.trim().len()));
+            }
         }
         lines.reverse();
         lines
@@ -164,7 +151,7 @@ impl Header<'_> {
         let Some((_, ty)) = Type::NAMES.into_iter().find(|(n, _)| *n == declared.ty) else {
             let message = format!("a parameter cannot be a `{}`", declared.ty);
             let problem = Diagnostic::error(message).at(self.place(declared.span.clone()), "");
-            problems.push(problem.suggest(declared.ty, types));
+            problems.push(problem.suggest(&declared.ty, types));
             return None;
         };
         let documented = docs.iter().find_map(|(line, span)| {
@@ -198,7 +185,7 @@ impl Header<'_> {
         let names: Vec<&str> = own.iter().map(|d| d.name.trim_end_matches('_')).collect();
         for (line, span) in docs {
             let Some((word, _)) = line.split_once(" = ") else { continue };
-            let is_name = word.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+            let is_name = word.chars().all(is_name_part);
             if is_name && !names.contains(&word) {
                 let message = format!("`{}` has no parameter `{word}`", self.wgsl_name);
                 let place = self.place(span.start..span.start + word.len());
@@ -212,17 +199,14 @@ impl Header<'_> {
         if self.signature(&self.wgsl_name).is_none() && !self.is_distance() {
             return vec![];
         }
-        let starts =
-            self.text.match_indices("fn ").filter(|(at, _)| *at == 0 || self.text[..*at].ends_with('\n'));
-        let helpers = starts.filter_map(|(at, _)| {
-            let rest = &self.text[at + 3..];
-            let name = &rest[..rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_')?];
-            (!name.starts_with(&self.wgsl_name)).then_some((name, at + 3))
-        });
-        let wrong = |(name, at): (&str, usize)| {
+        let functions = self.declarations.iter().filter(|d| d.keyword.is("fn"));
+        let helpers =
+            functions.filter_map(|d| d.name.as_ref().filter(|n| !n.text.starts_with(&self.wgsl_name)));
+        let wrong = |helper: &Token<'_>| {
+            let name = helper.text;
             let better = format!("{}{}", self.wgsl_name, function::name_of(name));
             Diagnostic::error(format!("the helper `{name}` must begin with `{}`", self.wgsl_name))
-                .at(self.place(at..at + name.len()), "")
+                .at(self.place(helper.span()), "")
                 .help(format!("call it `{better}`, so that it cannot meet another file's"))
         };
         helpers.map(wrong).collect()

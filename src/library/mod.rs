@@ -3,14 +3,19 @@
 //! In: [`Sources`] and the folder of a scene. Out: [`Function`]s by the names that scenes use.
 
 mod color;
+mod declarations;
 mod doc_line;
 mod function;
 mod header;
 mod image;
 pub mod knot;
+mod lexer;
+mod mixing;
 mod model;
 pub mod sample;
 mod shape;
+mod taken;
+mod unfit;
 mod value;
 
 use std::collections::BTreeMap;
@@ -97,7 +102,7 @@ impl<'a> Library<'a> {
         if let Some(known) = self.known.lock().expect("no holder panics").get(&key) {
             return known.clone().map_err(|_| Some(vec![]));
         }
-        let read = match self.locate(family, &function::stem_of(name)) {
+        let read = match self.locate(family, name) {
             Ok(Some((file, text))) => header::read(family, &file, &text).map(Arc::new),
             Ok(None) => return Err(None),
             Err(problem) => Err(vec![problem]),
@@ -117,7 +122,8 @@ impl<'a> Library<'a> {
             folders.flat_map(|f| self.reach.snippets_in(&f)).chain(built_in).collect();
         stems.sort();
         stems.dedup();
-        stems.iter().map(|stem| function::name_of(stem)).collect()
+        let is_name = |name: &String| lexer::is_name(name);
+        stems.iter().map(|stem| function::name_of(stem)).filter(is_name).collect()
     }
 
     /// The files beside the scene and below that end in one of `extensions`, as scenes write them, nearest
@@ -172,26 +178,33 @@ impl<'a> Library<'a> {
 
     /// # Errors
     /// Why the file that has the name cannot be read.
-    fn locate(&self, family: Family, stem: &str) -> Result<Option<(String, Arc<str>)>, Diagnostic> {
+    fn locate(&self, family: Family, name: &str) -> Result<Option<(String, Arc<str>)>, Diagnostic> {
+        let stem = function::stem_of(name);
+        let stems = [stem.clone(), stem.replace('_', "-"), function::wgsl_name_of(&stem), name.to_owned()];
         let built_in_name = format!("{}/{stem}.wgsl", family.built_in_folder());
         let built_in = built_in(&built_in_name);
         for folder in self.reach.folders() {
-            let path = folder.join(family.users_folder()).join(format!("{stem}.wgsl"));
-            if self.reach.read(&path) != Answer::Missing {
+            let folder = folder.join(family.users_folder());
+            let mut paths = stems.iter().map(|stem| folder.join(format!("{stem}.wgsl")));
+            if let Some(path) = paths.find(|path| self.reach.read(path) != Answer::Missing) {
                 let (text, file) = (self.reach.text(&path)?, self.sources.name(&path));
                 if built_in.is_some_and(|b| b != &*text) {
                     let what = format!("this hides the {} that ships with raytoy", family.noun());
-                    let name = function::name_of(stem);
                     let warning = Diagnostic::warning(what)
                         .at(Place { file: file.clone(), span: 0..0 }, "")
                         .help(format!("rename the file and its function to keep both `{name}`s"));
                     self.warnings.lock().expect("no holder panics").push(warning);
                 }
-                return Ok(Some((file, text)));
+                return Ok(Some((file, unmarked(text))));
             }
         }
         Ok(built_in.map(|text| (built_in_name, text.into())))
     }
+}
+
+/// The text with blanks in place of a byte-order mark, so that all places stay as they are.
+fn unmarked(text: Arc<str>) -> Arc<str> {
+    text.strip_prefix('\u{feff}').map(|rest| format!("   {rest}").into()).unwrap_or(text)
 }
 
 /// The text of a file that ships with raytoy, by its name in the project.

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
+use super::declarations::{Declared, Signature};
 use super::function::Traits;
-use super::header::{Declared, Header, Signature};
+use super::header::Header;
 use super::{Family, Parameter, Type};
 use crate::diagnostic::Diagnostic;
 
@@ -12,13 +13,13 @@ const OPEN: &str = "encloses nothing";
 /// A doc line that starts so names the shape's points: it moves as they move together.
 const POINTS: &str = "moves with ";
 
-impl Header<'_> {
+impl<'a> Header<'a> {
     /// Whether the file gives a distance to the shape and leaves its crossings to raytoy.
     pub fn is_distance(&self) -> bool {
         self.signature(&self.wgsl_name).is_none() && self.distance_signature().is_some()
     }
 
-    pub fn distance_signature(&self) -> Option<Signature<'_>> {
+    pub fn distance_signature(&self) -> Option<Signature<'a>> {
         let is_shape = self.family == Family::Shape;
         self.signature(&format!("{}Distance", self.wgsl_name)).filter(|_| is_shape)
     }
@@ -100,16 +101,17 @@ impl Header<'_> {
         let name = format!("{}{suffix}", self.wgsl_name);
         let expected: Vec<String> = own.iter().map(|d| format!("{}: {}", d.name, d.ty)).collect();
         let signature = self.signature(&name);
-        let agrees = signature.as_ref().is_some_and(|(_, given, result)| {
-            let point = given.iter().take(first.len()).map(|d| d.ty).eq(first.iter().map(|_| "vec3f"));
+        let agrees = signature.as_ref().is_some_and(|found| {
+            let given = &found.declared;
+            let point = given.iter().take(first.len()).all(|d| d.ty == "vec3f");
             let rest = given.iter().skip(first.len()).map(|d| format!("{}: {}", d.name, d.ty));
-            *result == returns && point && rest.eq(expected.iter().cloned())
+            found.returns == returns && point && rest.eq(expected.iter().cloned())
         });
         if !agrees {
             let parameters: Vec<&str> =
                 first.iter().copied().chain(expected.iter().map(String::as_str)).collect();
             let message = format!("the shape lacks `fn {name}({}) -> {returns}`", parameters.join(", "));
-            let at = signature.map_or(0..0, |(start, ..)| start..start + 3 + name.len());
+            let at = signature.map_or(0..0, |found| found.head);
             problems.push(Diagnostic::error(message).at(self.place(at), "").help(gives));
         }
     }

@@ -114,7 +114,8 @@ fn functions_in(text: &str) -> impl Iterator<Item = &str> {
 }
 
 fn calls(text: &str, function: &str) -> bool {
-    let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    text.match_indices(function)
-        .any(|(at, _)| text[at + function.len()..].starts_with('(') && !text[..at].ends_with(is_name))
+    let is_name = |c: char| c.is_alphanumeric() || c == '_';
+    text.match_indices(function).any(|(at, _)| {
+        text[at + function.len()..].trim_start().starts_with('(') && !text[..at].ends_with(is_name)
+    })
 }

@@ -1,4 +1,5 @@
-// Reads a list of WGSL texts, as JSON, from standard input; writes what Tint, Chrome's compiler, has against each.
+// Reads a list of WGSL texts, as JSON, from standard input; writes what Tint, Chrome's compiler, has against each,
+// as the last line.
 // The first argument is the folder that has `webgpu`, which is Dawn for node.
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
@@ -20,5 +21,5 @@ for (const code of JSON.parse(input)) {
     const scope = await device.popErrorScope();
     answers.push(told.length > 0 ? told.join('\n') : (scope?.message ?? ''));
 }
-// Dawn keeps node awake.
-process.stdout.write(JSON.stringify(answers), () => process.exit(0));
+// Dawn writes its warnings there, too, and keeps node awake.
+process.stdout.write(`\n${JSON.stringify(answers)}`, () => process.exit(0));

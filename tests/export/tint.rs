@@ -22,6 +22,7 @@ pub fn objections(texts: &[String]) -> Option<Vec<String>> {
     let input = serde_json::to_vec(texts).expect("texts are JSON");
     child.stdin.take().expect("it is piped").write_all(&input).expect("node reads it");
     let told = child.wait_with_output().expect("node ends");
-    let answers = serde_json::from_slice::<Vec<String>>(&told.stdout);
+    let answer = told.stdout.rsplit(|byte| *byte == b'\n').next().unwrap_or_default();
+    let answers = serde_json::from_slice::<Vec<String>>(answer);
     Some(answers.unwrap_or_else(|error| panic!("{error}: {}", String::from_utf8_lossy(&told.stderr))))
 }
