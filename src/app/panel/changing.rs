@@ -25,14 +25,9 @@ pub fn renamed((disk, scene): (&Disk, &Path), node: &Node, name: &str) -> Vec<Ed
     edits(&node.path, name, &change, added)
 }
 
-/// The texture or mapping `old` of `field` becomes a `name`.
-pub fn replaced(
-    (disk, scene): (&Disk, &Path),
-    field: &Field,
-    old: &str,
-    fields: &[Field],
-    name: &str,
-) -> Vec<Edit> {
+/// The texture or mapping of `field` becomes a `name`.
+pub fn replaced((disk, scene): (&Disk, &Path), field: &Field, name: &str) -> Vec<Edit> {
+    let Control::Texture { name: Some(old), fields, .. } = &field.control else { return vec![] };
     let change = with_library(disk, scene, |library| becoming(Role::Texture, old, fields, name, library));
     let added = change.add.iter().map(|(label, words)| (label.clone(), NewValue::Code(words.clone())));
     edits(&field.path, name, &change, added.collect())

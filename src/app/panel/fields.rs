@@ -17,8 +17,8 @@ pub struct Fields<'a> {
     /// RON text of a texture or mapping with no more than it must be given; None where a file for it is
     /// missing.
     pub example: &'a dyn Fn(&str) -> Option<String>,
-    /// What makes another texture of one: its field, name and fields, and the new name.
-    pub becomes: &'a dyn Fn(&Field, &str, &[Field], &str) -> Vec<Edit>,
+    /// What makes another texture of the one in a field, by its name.
+    pub becomes: &'a dyn Fn(&Field, &str) -> Vec<Edit>,
 }
 
 impl Fields<'_> {
@@ -193,8 +193,8 @@ impl Fields<'_> {
     fn call(&mut self, field: &Field, name: &str) {
         match &field.control {
             Control::Texture { name: Some(old), .. } if old == name => {}
-            Control::Texture { name: Some(old), fields, .. } => {
-                self.edits.extend((self.becomes)(field, old, fields, name));
+            Control::Texture { name: Some(_), .. } => {
+                self.edits.extend((self.becomes)(field, name));
             }
             _ => {
                 let words = (self.example)(name);

@@ -30,6 +30,7 @@ impl Panel {
             egui::TextEdit::singleline(&mut self.wanted).hint_text("find").desired_width(f32::INFINITY);
         ui.add(search).accessible_name("find in the scene");
         let height = ui.available_height();
+        let before = self.selected.clone();
         egui::ScrollArea::vertical()
             .id_salt("tree")
             .max_height(0.42 * height)
@@ -39,6 +40,10 @@ impl Panel {
                 let (selected, wanted) = (&mut self.selected, self.wanted.as_str());
                 Tree { edits, selected, wanted, example: &example, text: &text }.show(ui, &outline);
             });
+        if self.selected != before {
+            // An answer that is still on its way comes too late.
+            self.picking.give_up();
+        }
         ui.separator();
         let chosen = self.selected.as_ref().and_then(|path| picking::find(&outline.nodes, path));
         egui::ScrollArea::vertical().id_salt("fields").auto_shrink([false, false]).show(
@@ -73,8 +78,8 @@ impl Panel {
         ui.add_space(4.0);
         let texture = |name: &str| example(Role::Texture, name);
         let place = (&self.disk, self.scene.as_path());
-        let becomes = |field: &Field, old: &str, fields: &[Field], name: &str| match texture(name) {
-            Some(_) => changing::replaced(place, field, old, fields, name),
+        let becomes = |field: &Field, name: &str| match texture(name) {
+            Some(_) => changing::replaced(place, field, name),
             None => vec![],
         };
         let (edits, pending) = (&mut deeds.edits, &self.pending);

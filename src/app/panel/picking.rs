@@ -35,6 +35,11 @@ impl Picking {
         self.identity = None;
         self.outline = None;
     }
+
+    /// Something else is chosen than what was clicked.
+    pub fn give_up(&mut self) {
+        self.wanted = None;
+    }
 }
 
 impl Panel {
