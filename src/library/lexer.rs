@@ -70,9 +70,7 @@ pub fn tokens(text: &str) -> Tokens<'_> {
         } else if is_blank(c) {
             at += c.len_utf8();
             continue;
-        } else if c.is_ascii_digit() {
-            (Kind::Number, number(rest))
-        } else if c == '.' && rest[1..].starts_with(|c: char| c.is_ascii_digit()) {
+        } else if rest.strip_prefix('.').unwrap_or(rest).starts_with(|c: char| c.is_ascii_digit()) {
             (Kind::Number, number(rest))
         } else if is_name_part(c) {
             (Kind::Word, until(&|c| !is_name_part(c)))
