@@ -145,6 +145,9 @@ mod tests {
         (0..slices).map(|_| slice()).collect()
     }
 
+    /// Nanoseconds of the pixel with a number.
+    type Cost = fn(u32) -> u64;
+
     /// A machine, and what it draws.
     struct Machine {
         /// Nanoseconds of all pixels before one.
@@ -237,7 +240,7 @@ mod tests {
         let uneven = |pixel: u32| if pixel < PIXELS / 2 { 200 } else { 6_000 };
         // Wherever a slice begins, it meets both.
         let mixed = |pixel: u32| if pixel % 97 < 90 { 300 } else { 30_000 };
-        let costs: [(&str, fn(u32) -> u64); 3] = [("even", even), ("uneven", uneven), ("mixed", mixed)];
+        let costs: [(&str, Cost); 3] = [("even", even), ("uneven", uneven), ("mixed", mixed)];
         // How much longer than the drawing itself a sample takes at most.
         let loads =
             [(0.0, [0, 0], 1.3), (0.3, [100, 300], 10.0), (0.7, [100, 300], 10.0), (1.0, [100, 300], 10.0)];
@@ -265,7 +268,9 @@ mod tests {
         Machine::new(|_| 3_000, 1.0, [100, 300]).sample(&mut pace, &mut random);
         assert!(pace.wanted() > 5 * SLICE, "{:?}", pace.wanted());
         let idle = Machine::new(|_| 3_000, 0.0, [0, 0]);
-        (0..3).for_each(|_| drop(idle.sample(&mut pace, &mut random)));
+        for _ in 0..3 {
+            idle.sample(&mut pace, &mut random);
+        }
         let after = idle.sample(&mut pace, &mut random);
         assert!(after.longest <= 2 * SLICE, "{after:?}");
     }
