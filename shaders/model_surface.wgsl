@@ -3,19 +3,6 @@
 /// Points farther from a model than this share of its size are not on it.
 const MODEL_REACH: f32 = 0.02;
 
-/// A triangle as a point sees it. Lengths are shares of the model's size, that no square of one overflows.
-struct ModelFacet {
-    /// From the first corner to the point, and to the other corners.
-    q: vec3f,
-    ab: vec3f,
-    ac: vec3f,
-    /// Outward, as long as the area twice, and the square of that.
-    across: vec3f,
-    squared: f32,
-    /// How near the point is to each corner: where it lies over the triangle, shares of `squared`.
-    shares: vec3f,
-}
-
 /// What `model` looks like at its point `p`: a smooth normal, and the facet's.
 fn modelSurface(p: vec3f, model: Model) -> Surface {
     let unit = 1.0 / distance(modelCorner(model.root), modelCorner(model.root + 1u));
@@ -46,19 +33,6 @@ fn modelSurface(p: vec3f, model: Model) -> Surface {
     return facetSurface(p, modelFacet(p, found, unit), found, unit);
 }
 
-/// The triangle whose first corner is `i`.
-fn modelFacet(p: vec3f, i: u32, unit: f32) -> ModelFacet {
-    let a = modelCorner(i);
-    let q = (p - a) * unit;
-    let ab = (modelCorner(i + 2u) - a) * unit;
-    let ac = (modelCorner(i + 4u) - a) * unit;
-    let across = cross(ab, ac);
-    let squared = dot(across, across);
-    let second = dot(cross(q, ac), across);
-    let third = dot(cross(ab, q), across);
-    return ModelFacet(q, ab, ac, across, squared, vec3f(squared - second - third, second, third));
-}
-
 /// The surface at `p`, which lies on `facet`, whose first corner is `i`.
 fn facetSurface(p: vec3f, facet: ModelFacet, i: u32, unit: f32) -> Surface {
     let outward = facet.across * inverseSqrt(facet.squared);
@@ -68,33 +42,21 @@ fn facetSurface(p: vec3f, facet: ModelFacet, i: u32, unit: f32) -> Surface {
     // Normal and v of the corners, then their u.
     var mean = vec4f(0.0);
     var u = 0.0;
+    // The smooth surface is about as high as the mean of the planes that touch it at the corners
+    // (Hanika, Hacking the Shadow Terminator, in: Ray Tracing Gems II, 2021).
+    let from_corners = mat3x3f(facet.q, facet.q - facet.ab, facet.q - facet.ac);
+    var rise = 0.0;
     for (var k = 0u; k < 3u; k++) {
-        mean += shares[k] * bitcast<vec4f>(modelWords(i + 2u * k + 1u));
+        let normal_and_v = bitcast<vec4f>(modelWords(i + 2u * k + 1u));
+        mean += shares[k] * normal_and_v;
         u += shares[k] * bitcast<f32>(modelWords(i + 2u * k).w);
+        let below = max(-dot(from_corners[k], normal_and_v.xyz), 0.0);
+        rise += shares[k] * below * max(dot(normal_and_v.xyz, outward), 0.0);
     }
     // Normals of the corners may cancel each other.
     let normal = normalize(select(outward, mean.xyz, dot(mean.xyz, mean.xyz) > 1e-6));
     var at = surface(p - dot(facet.q, outward) / unit * outward, normal, vec2f(u, mean.w));
     at.facet = outward;
+    at.rise = rise / unit;
     return at;
-}
-
-/// The square of the distance to `facet`. One without area only closes a seam, and is nowhere near.
-fn facetDistance(facet: ModelFacet) -> f32 {
-    let longest = max(dot(facet.ab, facet.ab), dot(facet.ac, facet.ac));
-    if facet.squared <= 1e-12 * longest * longest {
-        return 1.0;
-    }
-    if all(facet.shares >= vec3f()) {
-        let height = dot(facet.q, facet.across);
-        return height * height / facet.squared;
-    }
-    let opposite = edgeDistance(facet.q - facet.ab, facet.ac - facet.ab);
-    return min(min(edgeDistance(facet.q, facet.ab), edgeDistance(facet.q, facet.ac)), opposite);
-}
-
-/// The square of the distance from `q` to the edge from the origin to `end`.
-fn edgeDistance(q: vec3f, end: vec3f) -> f32 {
-    let away = q - clamp(dot(q, end) / max(dot(end, end), 1e-36), 0.0, 1.0) * end;
-    return dot(away, away);
 }

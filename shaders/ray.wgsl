@@ -30,6 +30,8 @@ struct Surface {
     /// its lower left one, and from there the way to the upper right one, in which u is negative where it
     /// grows to the left. Else all is 0.
     whole: vec4f,
+    /// How high above the point, along facet, the smooth surface lies that a model stands for.
+    rise: f32,
 }
 
 /// What the pixel's rays have cost so far: tests of shapes, boxes and triangles of models, steps of marches.
@@ -37,7 +39,7 @@ var<private> work: u32;
 
 /// The surface at `position`, before anything is known of the world and the pixel.
 fn surface(position: vec3f, normal: vec3f, uv: vec2f) -> Surface {
-    return Surface(position, normal, normal, uv, position, 0.0, vec4f(0.0));
+    return Surface(position, normal, normal, uv, position, 0.0, vec4f(0.0), 0.0);
 }
 
 /// `t` where it lies on the ray, else NO_HIT.

@@ -44,5 +44,6 @@ fn inverted(at: Surface) -> Surface {
     var behind = at;
     behind.normal = -at.normal;
     behind.facet = -at.facet;
+    behind.rise = 0.0;
     return behind;
 }

@@ -17,6 +17,8 @@ struct Placed {
     scale: f32,
     /// From the point that was asked for to the surface, along `facet`.
     gap: f32,
+    /// From there to the smooth surface that light sees.
+    rise: f32,
 }
 
 fn pointInto(space: Space, p: vec3f) -> vec3f {
@@ -33,7 +35,7 @@ fn rayInto(space: Space, ray: Ray) -> Ray {
 
 /// A surface at `p` of an object that stands in the world as its shape describes it.
 fn placed(at: Surface, p: vec3f) -> Placed {
-    return Placed(at, at.normal, at.facet, 1.0, dot(at.position - p, at.facet));
+    return Placed(at, at.normal, at.facet, 1.0, dot(at.position - p, at.facet), at.rise);
 }
 
 /// A surface of a moved object. A normal goes back by the transpose of the map that points come by.
@@ -46,7 +48,7 @@ fn placedFrom(space: Space, at: Surface, world: vec3f) -> Placed {
     let facet = to_world * at.facet;
     let unit = 1.0 / length(facet);
     let gap = dot(at.position - pointInto(space, world), at.facet) * unit;
-    return Placed(seen, normal, facet * unit, pow(volume, 1.0 / 3.0), gap);
+    return Placed(seen, normal, facet * unit, pow(volume, 1.0 / 3.0), gap, at.rise * unit);
 }
 
 /// The point of the unit sphere in `direction`, which is where a background is asked for its color.

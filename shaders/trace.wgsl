@@ -48,7 +48,9 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             n = normalize(n + max(0.001 - dot(n, v), 0.0) * v);
             // Back along the ray, too: where walls meet, rounding may put the point behind the other one.
             let outside = spawnPoint(p, facing + v - dot(facing, v) * facing, hit.t);
-            let shaded = shade(p, outside, n, v, material);
+            // Light falls on the smooth surface, or it would end in steps along the triangles.
+            let rise = select(met.rise, 0.0, inside) * met.facet;
+            let shaded = shade(p + rise, outside + rise, n, v, material);
             if depth == 0u {
                 seen.depth = hit.t;
                 seen.object = hit.object;

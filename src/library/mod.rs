@@ -151,10 +151,25 @@ impl<'a> Library<'a> {
     /// Why it cannot be shown.
     pub fn model(&self, file: &str) -> Result<Model, Diagnostic> {
         let (name, digest, bytes) = self.file(file)?;
-        let known = self.models.iter().find(|known| known.file == name && known.digest == digest);
-        known
-            .map_or_else(|| Model::decode(name.clone(), digest, &bytes), |known| Ok(known.clone()))
-            .map_err(|why| Diagnostic::error(format!("`{name}` {why}")))
+        let folder = file.rsplit_once('/').map(|(folder, _)| format!("{folder}/")).unwrap_or_default();
+        let beside = |uri: &str| self.file(&format!("{folder}{uri}"));
+        let known = self.models.iter().find(|known| {
+            let digests = known.beside.iter().map_while(|uri| beside(uri).ok().map(|(_, digest, _)| digest));
+            known.file == name && known.digest == mixed(digest, digests)
+        });
+        if let Some(known) = known {
+            return Ok(known.clone());
+        }
+        let mut digests = vec![];
+        let read = Model::decode(name.clone(), &bytes, &mut |uri| {
+            let found = beside(uri).map_err(|problem| format!("points to another file: {}", problem.message));
+            found.map(|(_, digest, bytes)| {
+                digests.push(digest);
+                bytes
+            })
+        });
+        let model = read.map_err(|why| Diagnostic::error(format!("`{name}` {why}")))?;
+        Ok(Model { digest: mixed(digest, digests), ..model })
     }
 
     /// The name of a file beside the scene, a digest of its bytes, and these.
@@ -205,6 +220,11 @@ impl<'a> Library<'a> {
 /// The text with blanks in place of a byte-order mark, so that all places stay as they are.
 fn unmarked(text: Arc<str>) -> Arc<str> {
     text.strip_prefix('\u{feff}').map(|rest| format!("   {rest}").into()).unwrap_or(text)
+}
+
+/// The digest of a file and of those beside it.
+fn mixed(digest: u64, beside: impl IntoIterator<Item = u64>) -> u64 {
+    beside.into_iter().fold(digest, |digest, other| digest.rotate_left(1) ^ other)
 }
 
 /// The text of a file that ships with raytoy, by its name in the project.

@@ -6,13 +6,17 @@ mod combined;
 mod crossings;
 mod damage;
 mod glb_writer;
+mod posing;
 mod random;
 mod reading_glb;
 mod reading_obj;
 mod reference;
 mod reload;
+mod remote;
+mod repairs;
 mod shapes;
 mod smoothness;
+mod surfaces;
 mod tree;
 
 use std::path::Path;
@@ -64,5 +68,5 @@ fn probe(gpu: &Gpu, compiled: &Compiled) -> Probe {
 
 /// What is read from a file of these bytes.
 fn decoded(bytes: &[u8]) -> Result<Model, String> {
-    Model::decode("a".into(), 0, bytes)
+    Model::decode("a".into(), bytes, &mut |name| Err(format!("points to `{name}`")))
 }

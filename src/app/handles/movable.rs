@@ -107,7 +107,7 @@ impl Known<'_> {
             Some(field) => self.vector(field),
             None => Some(if name == "scale" { Vec3::ONE } else { Vec3::ZERO }),
         });
-        Some(placed(translate?, rotate_deg?, scale?))
+        Some(placed(translate?.as_dvec3(), rotate_deg?, scale?))
     }
 
     /// In the space of `node`.

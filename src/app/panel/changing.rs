@@ -79,7 +79,7 @@ fn translate(fields: &[Field], at: Vec3) -> Option<(String, NewValue)> {
         Control::Number { value: Some(scale), .. } => Some(Vec3::splat(scale)),
         _ => vector(field),
     });
-    let place = placed(translate?, rotate_deg?, scale?).transform_point3(at.as_dvec3());
+    let place = placed(translate?.as_dvec3(), rotate_deg?, scale?).transform_point3(at.as_dvec3());
     Some(("translate".to_owned(), written(place)))
 }
 

@@ -178,7 +178,9 @@ impl Panel {
                 Value::Model(index) => scene.models.get(*index),
                 _ => None,
             });
-            model?.nodes.first().map(|root| 0.5 * (root.low + root.high))
+            let model = model?;
+            let root = model.nodes.first()?;
+            Some(model.origin.as_vec3() + 0.5 * (root.low + root.high))
         };
         let numbers = |path: &crate::scene::Path| self.pending.numbers(path);
         movables(outline, path, &Known { numbers: &numbers, middle: &middle })

@@ -58,12 +58,16 @@ impl Resolver<'_> {
             Ok(model) => {
                 let known = self.models.iter().position(|m| m.file == model.file);
                 Some(known.unwrap_or_else(|| {
+                    for warning in &model.warnings {
+                        let place = self.place(&written.span);
+                        self.push(Diagnostic::warning(format!("`{}` {warning}", model.file)).at(place, ""));
+                    }
                     self.models.push(model);
                     self.models.len() - 1
                 }))
             }
             Err(problem) => {
-                let advice = "a file is looked for beside the scene: Wavefront OBJ or binary glTF";
+                let advice = "a file is looked for beside the scene: Wavefront OBJ or glTF";
                 self.refuse_file(problem, written, advice);
                 None
             }

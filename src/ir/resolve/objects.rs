@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use glam::DAffine3;
+use glam::{DAffine3, DVec3};
 
 use super::Resolver;
 use super::placement::into_space;
@@ -134,11 +134,11 @@ impl Resolver<'_> {
     fn object(
         &mut self,
         written: &scene::Value,
-        shape: &Name,
+        shape_name: &Name,
         mut fields: Fields<'_>,
         around: Around<'_>,
     ) -> Option<Object> {
-        let shape = self.function(Family::Shape, shape)?;
+        let shape = self.function(Family::Shape, shape_name)?;
         let material = match (fields.get("material"), around.material) {
             (None, Some(material)) => material,
             (written, _) => self.material(written, around.name),
@@ -157,15 +157,37 @@ impl Resolver<'_> {
             arguments.extend(argument);
         }
         fields.finish(self);
+        let origin = self.origin(shape_name, &arguments);
+        let moved = DAffine3::from_translation(origin);
+        let to_world = match origin == DVec3::ZERO {
+            true => around.to_world,
+            false => Some(around.to_world.map_or(moved, |outer| outer * moved)),
+        };
         Some(Object {
             name: around.name.to_owned(),
             caption: self.words(written, &["name", "material"]),
             shape,
             arguments,
             material,
-            space: around.to_world.map(into_space),
+            space: to_world.map(into_space),
             inverted: around.inverted,
         })
+    }
+
+    /// Where the models of an object count from, in the object's space.
+    fn origin(&mut self, shape: &Name, arguments: &[Value]) -> DVec3 {
+        let models = arguments.iter().filter_map(|argument| match argument {
+            Value::Model(index) => Some(&self.models[*index]),
+            _ => None,
+        });
+        let origins: Vec<DVec3> = models.map(|model| model.origin).collect();
+        let first = origins.first().copied().unwrap_or_default();
+        if origins.iter().any(|origin| *origin != first) {
+            let advice = "move them in the program that made them, so that both lie around zero".into();
+            let message = "one of these models lies too far from the other";
+            self.error(&shape.span, message).help.push(advice);
+        }
+        first
     }
 
     fn combination(

@@ -1,6 +1,6 @@
 //! Where things stand: scale, rotate, translate, and the boxes that authors draw around them.
 
-use glam::{DAffine3, DMat3, DQuat, Vec3};
+use glam::{DAffine3, DMat3, DQuat, DVec3, Vec3};
 
 use super::Resolver;
 use super::reader::Fields;
@@ -20,20 +20,21 @@ pub fn into_space(to_world: DAffine3) -> Space {
 }
 
 /// The map into the space around of what is scaled, then turned about x, y and z by degrees, then moved.
-pub fn placed(translate: Vec3, rotate_deg: Vec3, scale: Vec3) -> DAffine3 {
+pub fn placed(translate: DVec3, rotate_deg: Vec3, scale: Vec3) -> DAffine3 {
     let turned = rotate_deg.as_dvec3() * (std::f64::consts::PI / 180.0);
     let turn = DQuat::from_rotation_z(turned.z)
         * DQuat::from_rotation_y(turned.y)
         * DQuat::from_rotation_x(turned.x);
     let scale = DMat3::from_diagonal(scale.as_dvec3());
-    DAffine3::from_mat3_translation(DMat3::from_quat(turn) * scale, translate.as_dvec3())
+    DAffine3::from_mat3_translation(DMat3::from_quat(turn) * scale, translate)
 }
 
 impl Resolver<'_> {
     /// The map into the space around, where the author moves the thing.
     pub fn placement(&mut self, fields: &mut Fields<'_>) -> Option<DAffine3> {
         let moved = ["translate", "rotate_deg", "scale"].iter().any(|field| fields.has(field));
-        let translate = fields.vector(self, "translate");
+        // A model of a survey is brought back from far away.
+        let translate = fields.exact_vector(self, "translate");
         let rotate_deg = fields.vector(self, "rotate_deg");
         let scale = match fields.get("scale") {
             Some(value) => self.scale(value),

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::Resolver;
 use crate::diagnostic::Diagnostic;
@@ -147,6 +147,13 @@ impl<'v> Fields<'v> {
         written.map_or(otherwise, |value| resolver.vector(value).unwrap_or(otherwise))
     }
 
+    /// A vector with all the digits that the author wrote.
+    pub fn exact_vector(&mut self, resolver: &mut Resolver<'_>, name: &str) -> DVec3 {
+        let rounded = self.vector(resolver, name);
+        let written = self.fields.iter().find(|f| f.name.text == name).and_then(|f| exactly(&f.value));
+        written.filter(|exact| exact.as_vec3() == rounded).unwrap_or(rounded.as_dvec3())
+    }
+
     /// A vector with a length, scaled to length 1.
     pub fn direction(&mut self, resolver: &mut Resolver<'_>, name: &str) -> Vec3 {
         let given = self.vector(resolver, name);
@@ -210,4 +217,15 @@ impl<'v> Fields<'v> {
             resolver.push(problem.suggest(&name.text, self.asked.iter().map(String::as_str)));
         }
     }
+}
+
+/// The three numbers that `value` is made of.
+fn exactly(value: &Value) -> Option<DVec3> {
+    let (Kind::Tuple(items) | Kind::List(items)) = &value.kind else { return None };
+    let number = |item: &Value| match item.kind {
+        Kind::Number(x) => Some(x),
+        _ => None,
+    };
+    let numbers: Option<Vec<f64>> = items.iter().map(number).collect();
+    numbers.filter(|numbers| numbers.len() == 3).map(|numbers| DVec3::from_slice(&numbers))
 }

@@ -1,21 +1,23 @@
-//! Models as data: triangles from Wavefront OBJ or binary glTF, and the tree of boxes over them.
+//! Models as data: triangles from Wavefront OBJ or glTF, and the tree of boxes over them.
 //!
 //! In: a file's bytes. Out: a [`Model`], whose triangles lie as the tree's leaves name them.
 
-mod elements;
-mod glb;
+mod found;
+mod gltf;
 mod obj;
 mod places;
 mod polygon;
 mod smooth;
+mod surfaces;
 mod tree;
 
 use std::collections::HashSet;
 use std::fmt;
 use std::sync::Arc;
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
+use self::found::{Face, Findings};
 pub use tree::Node;
 
 /// Triangles in the space of the object that they are the shape of, scene units.
@@ -23,8 +25,16 @@ pub use tree::Node;
 pub struct Model {
     /// The file's name, as messages use it.
     pub file: String,
-    /// Of the file's bytes: two models of one file are the same where this is.
+    /// Of the bytes of the file and of those beside it, as who reads them knows it: two models of one file
+    /// are the same where this is.
     pub digest: u64,
+    /// The files beside it that it takes its triangles from, as it names them.
+    pub beside: Vec<String>,
+    /// What was odd but not wrong, in words that follow the file's name.
+    pub warnings: Vec<String>,
+    /// Where the triangles' zero lies in the file's own space: at its zero, unless they lie so far from it
+    /// that numbers would lose their digits.
+    pub origin: DVec3,
     /// Their corners go round the outward side against the clock.
     pub triangles: Arc<[[Corner; 3]]>,
     /// The root first.
@@ -44,13 +54,8 @@ pub struct Corner {
     pub uv: Vec2,
 }
 
-/// What is read from a file: the normal and the uv may be missing.
-#[derive(Clone, Copy, Debug)]
-struct Found {
-    position: Vec3,
-    normal: Option<Vec3>,
-    uv: Option<Vec2>,
-}
+/// Reads a file beside a model's, by the name that this gives it.
+pub type Beside<'a> = dyn FnMut(&str) -> Result<Arc<[u8]>, String> + 'a;
 
 /// As shaders/model.wgsl says.
 const NODE_TEXELS: usize = 4;
@@ -60,32 +65,36 @@ const TRIANGLE_TEXELS: usize = 6;
 const MOST_TRIANGLES: usize = 1_000_000;
 
 /// Farther out the squares of areas are no numbers any more.
-const MOST_COORDINATE: f32 = 1e9;
+const MOST_COORDINATE: f64 = 1e9;
+
+/// A model that lies farther from its zero than so many times its size is counted from its own middle.
+const MOST_REMOTE: f64 = 8.0;
 
 impl Model {
-    /// Reads OBJ or binary glTF; `digest` is of `bytes`.
+    /// Reads OBJ or glTF.
     ///
     /// # Errors
     /// Why it cannot be shown, in words that follow the file's name.
-    pub fn decode(file: String, digest: u64, bytes: &[u8]) -> Result<Self, String> {
-        let mut found = if bytes.starts_with(b"glTF") {
-            glb::read(bytes)?
-        } else if bytes.trim_ascii_start().starts_with(b"{") {
-            return Err("is glTF as text: export it as one .glb".into());
-        } else if bytes.trim_ascii().is_empty() {
-            return Err("is empty".into());
-        } else {
-            obj::read(bytes)?
+    pub fn decode(file: String, bytes: &[u8], beside: &mut Beside<'_>) -> Result<Self, String> {
+        let mut names = vec![];
+        let mut noted = |name: &str| {
+            names.push(name.to_owned());
+            beside(name)
         };
-        check(&found)?;
-        remove_idle(&mut found);
-        let is_closed = places::is_closed(&found);
-        if is_closed && places::is_inside_out(&found) {
-            found.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+        let mut findings = read(bytes, &mut noted)?;
+        check(&findings)?;
+        let warnings = findings.warnings();
+        let mut faces = findings.faces;
+        let origin = settle(&mut faces);
+        remove_idle(&mut faces);
+        let is_closed = places::is_closed(&faces);
+        if is_closed && places::is_inside_out(&faces) {
+            faces.iter_mut().for_each(|face| face.corners.swap(1, 2));
         }
-        let has_uv = found.iter().flatten().all(|corner| corner.uv.is_some());
-        let (triangles, nodes) = tree::plant(&smooth::finish(&found));
-        Ok(Self { file, digest, triangles: triangles.into(), nodes: nodes.into(), is_closed, has_uv })
+        let has_uv = faces.iter().flat_map(|face| &face.corners).all(|corner| corner.uv.is_some());
+        let (triangles, nodes) = tree::plant(&smooth::finish(&faces));
+        let (triangles, nodes) = (triangles.into(), nodes.into());
+        Ok(Self { file, digest: 0, beside: names, warnings, origin, triangles, nodes, is_closed, has_uv })
     }
 
     /// How many texels [`Model::words`] fills.
@@ -115,38 +124,64 @@ impl Model {
     }
 }
 
+fn read(bytes: &[u8], beside: &mut Beside<'_>) -> Result<Findings, String> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    if bytes.starts_with(b"version https://git-lfs") {
+        return Err("is a pointer of Git LFS, not the model: `git lfs pull` fetches it".into());
+    }
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return Err("is text in UTF-16: save it as UTF-8".into());
+    }
+    if bytes.starts_with(gltf::MAGIC) || bytes.trim_ascii_start().starts_with(b"{") {
+        return gltf::read(bytes, beside);
+    }
+    if bytes.trim_ascii().is_empty() {
+        return Err("is empty".into());
+    }
+    obj::read(bytes)
+}
+
 /// # Errors
 /// Why these are no triangles that can be shown, in words that follow the file's name.
-fn check(found: &[[Found; 3]]) -> Result<(), String> {
-    if found.len() > MOST_TRIANGLES {
-        return Err(too_many());
+fn check(findings: &Findings) -> Result<(), String> {
+    let faces = &findings.faces;
+    if let Some(why) = findings.why_lost.as_ref().filter(|_| findings.lost > faces.len()) {
+        return Err(format!("is damaged: {why}"));
     }
-    let is_near = |x: f32| x.abs() <= MOST_COORDINATE;
-    let is_somewhere = |corner: &Found| {
-        let uv = corner.uv.unwrap_or_default();
-        corner.position.to_array().into_iter().chain(uv.to_array()).all(is_near)
+    let has_area = |face: &Face| {
+        let [a, b, c] = face.corners.map(|corner| corner.position);
+        facet([Vec3::ZERO, (b - a).as_vec3(), (c - a).as_vec3()]) != Vec3::ZERO
     };
-    if !found.iter().flatten().all(is_somewhere) {
-        return Err(format!("has a corner whose numbers are none, or beyond {MOST_COORDINATE:e}"));
-    }
-    if !found.iter().any(|t| facet(t.map(|corner| corner.position)) != Vec3::ZERO) {
-        return Err("has no triangles".into());
+    if !faces.iter().any(has_area) {
+        let oddity = findings.oddities.first().map(|oddity| format!(": it {oddity}"));
+        return Err(format!("has no triangles{}", oddity.unwrap_or_default()));
     }
     Ok(())
 }
 
-/// Leaves out triangles that do nothing: one with two corners at one place, and one that is there twice,
-/// which would make the tree deep. One without area stays: it may close the seam between its neighbours.
-fn remove_idle(found: &mut Vec<[Found; 3]>) {
-    let mut known: HashSet<u64, places::Mixed> = HashSet::default();
-    found.retain(|t| {
-        let [a, b, c] = t.map(|corner| corner.position);
-        a != b && b != c && c != a && known.insert(places::of_triangle(t))
-    });
+/// Takes a model that lies far from its zero there, and says from where; rounds all places to what a GPU has.
+fn settle(faces: &mut [Face]) -> DVec3 {
+    let corners = || faces.iter().flat_map(|face| face.corners.iter().map(|corner| corner.position));
+    let low = corners().reduce(DVec3::min).unwrap_or_default();
+    let high = corners().reduce(DVec3::max).unwrap_or_default();
+    let middle = low.midpoint(high);
+    let is_remote = middle.abs().max_element() > MOST_REMOTE * (high - low).max_element();
+    // Whole numbers, that a person finds them again.
+    let origin = if is_remote { middle.round() } else { DVec3::ZERO };
+    for corner in faces.iter_mut().flat_map(|face| &mut face.corners) {
+        corner.position = (corner.position - origin).as_vec3().as_dvec3();
+    }
+    origin
 }
 
-fn too_many() -> String {
-    format!("has more than {MOST_TRIANGLES} triangles")
+/// Leaves out triangles that do nothing: one with two corners at one place, and one that is there twice,
+/// which would make the tree deep. One without area stays: it may close the seam between its neighbours.
+fn remove_idle(faces: &mut Vec<Face>) {
+    let mut known: HashSet<u64, places::Mixed> = HashSet::default();
+    faces.retain(|face| {
+        let [a, b, c] = face.corners.map(|corner| corner.position);
+        a != b && b != c && c != a && known.insert(places::of_triangle(face))
+    });
 }
 
 fn with(v: Vec3, word: u32) -> [u32; 4] {

@@ -5,9 +5,9 @@
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
-use glam::Vec3;
+use glam::DVec3;
 
-use super::Found;
+use super::found::{Face, Found};
 
 /// The bits of a position: equal for corners that meet, whatever the sign of a zero.
 pub type Place = (u64, u32);
@@ -15,36 +15,35 @@ pub type Place = (u64, u32);
 /// For keys made of bits of numbers, a million at a time.
 pub type Mixed = BuildHasherDefault<Mixer>;
 
-pub fn place(position: Vec3) -> Place {
-    let [x, y, z] = (position + Vec3::ZERO).to_array().map(f32::to_bits);
+pub fn place(position: DVec3) -> Place {
+    let [x, y, z] = (position + DVec3::ZERO).as_vec3().to_array().map(f32::to_bits);
     (u64::from(x) | u64::from(y) << 32, z)
 }
 
-/// The number of each corner's place, and how many places there are.
-pub fn numbered(triangles: &[[Found; 3]]) -> (Vec<[usize; 3]>, usize) {
+/// The number of each corner's place.
+pub fn numbered(faces: &[Face]) -> Vec<[usize; 3]> {
     let mut known: HashMap<Place, usize, Mixed> = HashMap::default();
     let mut number = |corner: &Found| {
         let next = known.len();
         *known.entry(place(corner.position)).or_insert(next)
     };
-    let numbers = triangles.iter().map(|t| t.each_ref().map(&mut number)).collect();
-    (numbers, known.len())
+    faces.iter().map(|face| face.corners.each_ref().map(&mut number)).collect()
 }
 
 /// The same for each triangle with these corners on this side, whichever comes first.
-pub fn of_triangle(triangle: &[Found; 3]) -> u64 {
-    let [a, b, c] = triangle.each_ref().map(|corner| mixed(&[place(corner.position)]));
+pub fn of_triangle(face: &Face) -> u64 {
+    let [a, b, c] = face.corners.each_ref().map(|corner| mixed(&[place(corner.position)]));
     let [x, y, z] = [[a, b], [b, c], [c, a]].map(|[from, to]| turned(from.wrapping_mul(3) ^ to));
     x.wrapping_add(y).wrapping_add(z)
 }
 
 /// Whether each edge joins two triangles that face the same side, so that they enclose something.
-pub fn is_closed(triangles: &[[Found; 3]]) -> bool {
+pub fn is_closed(faces: &[Face]) -> bool {
     // Each edge counts as a number that looks random, one direction up and the other one down: the sum is
     // nothing where each has its opposite, and else as good as never.
     let mut sum = 0_u64;
-    for triangle in triangles {
-        let at = triangle.each_ref().map(|corner| place(corner.position));
+    for face in faces {
+        let at = face.corners.each_ref().map(|corner| place(corner.position));
         for [a, b] in [[at[0], at[1]], [at[1], at[2]], [at[2], at[0]]] {
             let edge = mixed(&[a.min(b), a.max(b)]);
             sum = if a < b { sum.wrapping_add(edge) } else { sum.wrapping_sub(edge) };
@@ -54,13 +53,13 @@ pub fn is_closed(triangles: &[[Found; 3]]) -> bool {
 }
 
 /// Whether closed triangles face inward: their volume is less than nothing (the divergence theorem).
-pub fn is_inside_out(triangles: &[[Found; 3]]) -> bool {
-    let Some(start) = triangles.first().map(|triangle| triangle[0].position.as_dvec3()) else { return false };
-    let volume = |triangle: &[Found; 3]| {
-        let [a, b, c] = triangle.each_ref().map(|corner| corner.position.as_dvec3() - start);
+pub fn is_inside_out(faces: &[Face]) -> bool {
+    let Some(start) = faces.first().map(|face| face.corners[0].position) else { return false };
+    let volume = |face: &Face| {
+        let [a, b, c] = face.corners.each_ref().map(|corner| corner.position - start);
         a.dot(b.cross(c))
     };
-    triangles.iter().map(volume).sum::<f64>() < 0.0
+    faces.iter().map(volume).sum::<f64>() < 0.0
 }
 
 fn mixed(places: &[Place]) -> u64 {

@@ -24,7 +24,7 @@ fn rayTraceScene(ray: Ray) -> Hit {
             rayInto(
                 Space(
                     vec4f(1.1111112, 0.0, 0.0, 0.0),
-                    vec4f(0.0, 1.1111112, 0.0, -0.88888896),
+                    vec4f(0.0, 1.1111112, 0.0, -0.8888889),
                     vec4f(0.0, 0.0, 1.1111112, 0.0),
                 ),
                 ray,
@@ -44,7 +44,7 @@ fn sceneBlocks(ray: Ray) -> bool {
         rayInto(
             Space(
                 vec4f(1.1111112, 0.0, 0.0, 0.0),
-                vec4f(0.0, 1.1111112, 0.0, -0.88888896),
+                vec4f(0.0, 1.1111112, 0.0, -0.8888889),
                 vec4f(0.0, 0.0, 1.1111112, 0.0),
             ),
             ray,
@@ -64,7 +64,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
         case OBJECT_MESH_1: {
             let space = Space(
                 vec4f(1.1111112, 0.0, 0.0, 0.0),
-                vec4f(0.0, 1.1111112, 0.0, -0.88888896),
+                vec4f(0.0, 1.1111112, 0.0, -0.8888889),
                 vec4f(0.0, 0.0, 1.1111112, 0.0),
             );
             return placedFrom(space, meshSurface(pointInto(space, p), MODEL_GEM, false), p);

@@ -33,6 +33,7 @@ struct Surface {
     vec3 world;
     float footprint;
     vec4 whole;
+    float rise;
 };
 struct Placed {
     Surface at;
@@ -40,6 +41,7 @@ struct Placed {
     vec3 facet;
     float scale;
     float gap;
+    float rise;
 };
 struct Material {
     vec3 color;
@@ -218,11 +220,11 @@ bool sceneBlocks(Ray ray_8) {
 }
 
 Placed placed(Surface at, vec3 p) {
-    return Placed(at, at.normal, at.facet, 1.0, dot((at.position - p), at.facet));
+    return Placed(at, at.normal, at.facet, 1.0, dot((at.position - p), at.facet), at.rise);
 }
 
 Surface surface(vec3 position, vec3 normal_1, vec2 uv) {
-    return Surface(position, normal_1, normal_1, uv, position, 0.0, vec4(0.0));
+    return Surface(position, normal_1, normal_1, uv, position, 0.0, vec4(0.0), 0.0);
 }
 
 mat2x3 flatTangents(vec3 n) {
@@ -252,7 +254,7 @@ Surface planeSurface(vec3 p_1, vec3 normal_2, float offset_1) {
 }
 
 Surface sphereSurface(vec3 p_2, vec3 center_2, float radius_1) {
-    Surface at_1 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, vec4(0.0));
+    Surface at_1 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, vec4(0.0), 0.0);
     vec3 normal_5 = normalize((p_2 - center_2));
     float longitude = atan(normal_5.z, ((abs(normal_5.x) < 1e-20) ? 1e-20 : normal_5.x));
     float latitude = atan(normal_5.y, max(length(normal_5.xz), 1e-20));
@@ -357,7 +359,7 @@ vec3 normalAt(uint object_4, Placed met) {
 }
 
 Surface skyPoint(vec3 direction) {
-    Surface at_6 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, vec4(0.0));
+    Surface at_6 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, vec4(0.0), 0.0);
     vec2 uv_1 = vec2(atan(direction.z, direction.x), asin(clamp(direction.y, -1.0, 1.0)));
     Surface _e10 = surface(direction, direction, uv_1);
     at_6 = _e10;
@@ -466,14 +468,14 @@ Material meanOf(Material sum, float share) {
 }
 
 Looked looked(Ray ray_12, Hit hit_2, float width_1) {
-    Looked seen = Looked(vec3(0.0), Placed(Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, vec4(0.0)), vec3(0.0), vec3(0.0), 0.0, 0.0), Material(vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0));
+    Looked seen = Looked(vec3(0.0), Placed(Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, vec4(0.0), 0.0), vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0), Material(vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0));
     bool corrected = false;
     float footprint = 0.0;
     vec3 step_ = vec3(0.0);
     uint looks = 1u;
     uint look = 0u;
     bool local_2 = false;
-    Surface at_8 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, vec4(0.0));
+    Surface at_8 = Surface(vec3(0.0), vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, vec4(0.0), 0.0);
     vec3 _e6 = rayPoint(ray_12, hit_2.t);
     seen.point = _e6;
     while(true) {
@@ -700,8 +702,8 @@ Seen traceTree(vec3 origin_2, vec3 direction_3) {
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            uint _e233 = rays;
-            rays = (_e233 + 1u);
+            uint _e240 = rays;
+            rays = (_e240 + 1u);
         }
         loop_init_2 = false;
         uint _e21 = rays;
@@ -745,26 +747,27 @@ Seen traceTree(vec3 origin_2, vec3 direction_3) {
                 vec3 _e83 = n_3;
                 n_3 = normalize((_e82 + (max((0.001 - dot(_e83, v_4)), 0.0) * v_4)));
                 vec3 _e97 = spawnPoint(p_8, ((facing_1 + v_4) - (dot(facing_1, v_4) * facing_1)), _e31.t);
-                vec3 _e98 = n_3;
-                Shade _e99 = shade(p_8, _e97, _e98, v_4, material_3);
+                vec3 rise = ((inside_2 ? 0.0 : met_2.rise) * met_2.facet);
+                vec3 _e105 = n_3;
+                Shade _e106 = shade((p_8 + rise), (_e97 + rise), _e105, v_4, material_3);
                 if ((depth == 0u)) {
                     seen_1.depth = _e31.t;
                     seen_1.object = _e31.object;
-                    vec3 _e107 = n_3;
-                    vec3 _e110 = surfaceView(_e31, met_2, _e107, v_4, material_3.color, _e99.visibility);
-                    seen_1.value = _e110;
+                    vec3 _e114 = n_3;
+                    vec3 _e117 = surfaceView(_e31, met_2, _e114, v_4, material_3.color, _e106.visibility);
+                    seen_1.value = _e117;
                 }
-                vec3 _e111 = n_3;
-                float _e116 = mirrored(material_3, clamp(dot(_e111, v_4), 0.0, 1.0));
-                float _e118 = branch.weight;
-                float stays = (_e118 * (1.0 - _e116));
-                vec3 _e123 = seen_1.radiance;
-                seen_1.radiance = (_e123 + ((stays * (1.0 - material_3.transmission)) * _e99.light));
-                uint _e133 = frame.max_bounces;
-                uint _e135 = zero;
-                bool deeper = (depth < (_e133 + _e135));
-                float _e139 = branch.weight;
-                float reflection = (_e139 * _e116);
+                vec3 _e118 = n_3;
+                float _e123 = mirrored(material_3, clamp(dot(_e118, v_4), 0.0, 1.0));
+                float _e125 = branch.weight;
+                float stays = (_e125 * (1.0 - _e123));
+                vec3 _e130 = seen_1.radiance;
+                seen_1.radiance = (_e130 + ((stays * (1.0 - material_3.transmission)) * _e106.light));
+                uint _e140 = frame.max_bounces;
+                uint _e142 = zero;
+                bool deeper = (depth < (_e140 + _e142));
+                float _e146 = branch.weight;
+                float reflection = (_e146 * _e123);
                 float refraction = (stays * material_3.transmission);
                 if (deeper) {
                     local_4 = (reflection >= MIN_WEIGHT);
@@ -777,8 +780,8 @@ Seen traceTree(vec3 origin_2, vec3 direction_3) {
                 } else {
                     local_5 = false;
                 }
-                bool _e153 = local_5;
-                if (_e153) {
+                bool _e160 = local_5;
+                if (_e160) {
                     local_6 = (refraction >= MIN_WEIGHT);
                 } else {
                     local_6 = false;
@@ -786,37 +789,37 @@ Seen traceTree(vec3 origin_2, vec3 direction_3) {
                 bool refracts = local_6;
                 vec3 into = branch.direction;
                 if (reflects) {
-                    vec3 _e162 = n_3;
-                    away = reflect(into, _e162);
-                    vec3 _e165 = away;
-                    vec3 _e166 = away;
-                    away = normalize((_e165 + (max((0.001 - dot(_e166, facing_1)), 0.0) * facing_1)));
-                    vec3 _e175 = away;
-                    branch = Branch(_e97, reflection, _e175, width_2, (depth + 1u));
+                    vec3 _e169 = n_3;
+                    away = reflect(into, _e169);
+                    vec3 _e172 = away;
+                    vec3 _e173 = away;
+                    away = normalize((_e172 + (max((0.001 - dot(_e173, facing_1)), 0.0) * facing_1)));
+                    vec3 _e182 = away;
+                    branch = Branch(_e97, reflection, _e182, width_2, (depth + 1u));
                 }
                 if (refracts) {
-                    vec3 _e179 = n_3;
-                    vec3 _e185 = refracted(into, _e179, (inside_2 ? material_3.ior : (1.0 / material_3.ior)));
-                    vec3 _e192 = spawnPoint(p_8, ((dot(_e185, facing_1) > 0.0) ? facing_1 : -(facing_1)), _e31.t);
-                    Branch beyond = Branch(_e192, refraction, _e185, width_2, (depth + 1u));
+                    vec3 _e186 = n_3;
+                    vec3 _e192 = refracted(into, _e186, (inside_2 ? material_3.ior : (1.0 / material_3.ior)));
+                    vec3 _e199 = spawnPoint(p_8, ((dot(_e192, facing_1) > 0.0) ? facing_1 : -(facing_1)), _e31.t);
+                    Branch beyond = Branch(_e199, refraction, _e192, width_2, (depth + 1u));
                     heavier = beyond;
                     if (!(!(reflects))) {
                         local_7 = (reflection > refraction);
                     } else {
                         local_7 = true;
                     }
-                    bool _e203 = local_7;
-                    if (_e203) {
-                        Branch _e204 = branch;
-                        heavier = _e204;
+                    bool _e210 = local_7;
+                    if (_e210) {
+                        Branch _e211 = branch;
+                        heavier = _e211;
                         branch = beyond;
                     }
                     if (reflects) {
-                        uint _e205 = waits;
-                        Branch _e207 = heavier;
-                        waiting[_e205] = _e207;
-                        uint _e209 = waits;
-                        waits = (_e209 + 1u);
+                        uint _e212 = waits;
+                        Branch _e214 = heavier;
+                        waiting[_e212] = _e214;
+                        uint _e216 = waits;
+                        waits = (_e216 + 1u);
                     }
                 }
                 if (!(reflects)) {
@@ -824,31 +827,31 @@ Seen traceTree(vec3 origin_2, vec3 direction_3) {
                 } else {
                     local_8 = true;
                 }
-                bool _e215 = local_8;
-                follows = _e215;
+                bool _e222 = local_8;
+                follows = _e222;
             }
-            bool _e216 = follows;
-            if (!(_e216)) {
+            bool _e223 = follows;
+            if (!(_e223)) {
                 if (false) {
-                    uint _e221 = waits;
-                    local_9 = (_e221 == 0u);
+                    uint _e228 = waits;
+                    local_9 = (_e228 == 0u);
                 } else {
                     local_9 = true;
                 }
-                bool _e225 = local_9;
-                if (_e225) {
+                bool _e232 = local_9;
+                if (_e232) {
                     break;
                 }
-                uint _e227 = waits;
-                waits = (_e227 - 1u);
-                uint _e229 = waits;
-                Branch _e231 = waiting[_e229];
-                branch = _e231;
+                uint _e234 = waits;
+                waits = (_e234 - 1u);
+                uint _e236 = waits;
+                Branch _e238 = waiting[_e236];
+                branch = _e238;
             }
         }
     }
-    Seen _e235 = seen_1;
-    return _e235;
+    Seen _e242 = seen_1;
+    return _e242;
 }
 
 Seen seenAt(vec2 pixel) {

@@ -460,7 +460,9 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             n = normalize(n + max(0.001 - dot(n, v), 0.0) * v);
             // Back along the ray, too: where walls meet, rounding may put the point behind the other one.
             let outside = spawnPoint(p, facing + v - dot(facing, v) * facing, hit.t);
-            let shaded = shade(p, outside, n, v, material);
+            // Light falls on the smooth surface, or it would end in steps along the triangles.
+            let rise = select(met.rise, 0.0, inside) * met.facet;
+            let shaded = shade(p + rise, outside + rise, n, v, material);
             if depth == 0u {
                 seen.depth = hit.t;
                 seen.object = hit.object;
@@ -840,6 +842,8 @@ struct Placed {
     scale: f32,
     /// From the point that was asked for to the surface, along `facet`.
     gap: f32,
+    /// From there to the smooth surface that light sees.
+    rise: f32,
 }
 
 fn pointInto(space: Space, p: vec3f) -> vec3f {
@@ -856,7 +860,7 @@ fn rayInto(space: Space, ray: Ray) -> Ray {
 
 /// A surface at `p` of an object that stands in the world as its shape describes it.
 fn placed(at: Surface, p: vec3f) -> Placed {
-    return Placed(at, at.normal, at.facet, 1.0, dot(at.position - p, at.facet));
+    return Placed(at, at.normal, at.facet, 1.0, dot(at.position - p, at.facet), at.rise);
 }
 
 /// A surface of a moved object. A normal goes back by the transpose of the map that points come by.
@@ -869,7 +873,7 @@ fn placedFrom(space: Space, at: Surface, world: vec3f) -> Placed {
     let facet = to_world * at.facet;
     let unit = 1.0 / length(facet);
     let gap = dot(at.position - pointInto(space, world), at.facet) * unit;
-    return Placed(seen, normal, facet * unit, pow(volume, 1.0 / 3.0), gap);
+    return Placed(seen, normal, facet * unit, pow(volume, 1.0 / 3.0), gap, at.rise * unit);
 }
 
 /// The point of the unit sphere in `direction`, which is where a background is asked for its color.
@@ -969,6 +973,8 @@ struct Surface {
     /// its lower left one, and from there the way to the upper right one, in which u is negative where it
     /// grows to the left. Else all is 0.
     whole: vec4f,
+    /// How high above the point, along facet, the smooth surface lies that a model stands for.
+    rise: f32,
 }
 
 /// What the pixel's rays have cost so far: tests of shapes, boxes and triangles of models, steps of marches.
@@ -976,7 +982,7 @@ var<private> work: u32;
 
 /// The surface at `position`, before anything is known of the world and the pixel.
 fn surface(position: vec3f, normal: vec3f, uv: vec2f) -> Surface {
-    return Surface(position, normal, normal, uv, position, 0.0, vec4f(0.0));
+    return Surface(position, normal, normal, uv, position, 0.0, vec4f(0.0), 0.0);
 }
 
 /// `t` where it lies on the ray, else NO_HIT.
