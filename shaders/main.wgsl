@@ -5,6 +5,9 @@
 /// The mean of the samples before this one.
 @group(0) @binding(1) var accumulated: texture_2d<f32>;
 
+/// Where that lies in the picture, pixels from its top left: a large picture is drawn in parts.
+@group(0) @binding(4) var<uniform> corner: vec2f;
+
 @fragment
 fn tracePixel(covered: Covered) -> @location(0) vec4f {
     zero = covered.zero;
@@ -12,8 +15,9 @@ fn tracePixel(covered: Covered) -> @location(0) vec4f {
     if zero != 0u {
         discard;
     }
-    chooseView(covered.pixel.x);
-    let now = viewed(seenAt(covered.pixel.xy));
+    let pixel = covered.pixel.xy + corner;
+    chooseView(pixel.x);
+    let now = viewed(seenAt(pixel));
     // The depth is the first sample's, through the pixel's centre: a mean of depths means nothing.
     let before = textureLoad(accumulated, vec2u(covered.pixel.xy), 0);
     let mean = vec4f(mix(before.rgb, now.rgb, 1.0 / f32(frame.sample + 1u)), before.a);

@@ -3,10 +3,13 @@
 mod common;
 
 use std::io::Write;
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 use common::{check_text, expect_none, files, root};
+use raytoy::gpu::{Moment, Renderer, Split, View};
+use raytoy::wgsl::Mode;
 
 #[test]
 fn a_right_scene_is_0_a_wrong_one_1_a_wrong_call_2() {
@@ -311,6 +314,61 @@ fn drawing_without_a_display_says_nothing_of_displays() {
     let mut call = command(&["render", "scenes/table.ron", "-o", &name, "--size", "8x8"]);
     let drawn = call.env_remove("XDG_RUNTIME_DIR").output().expect("raytoy runs");
     assert_eq!(stderr(&drawn), format!("{name}: 8x8\n"));
+}
+
+#[test]
+fn a_picture_drawn_in_parts_is_the_whole_one_to_the_byte() {
+    let Some(gpu) = common::gpu() else { return };
+    let compiled = common::outcome("scenes/glass.ron", Mode::Baked).compiled.expect("it is right");
+    let size = [53, 31];
+    let split = Some(Split { view: View::Normal, at: 0.4 });
+    for moment in [Moment::of(&compiled.scene), Moment { split, ..Moment::of(&compiled.scene) }] {
+        let drawn = |parts: Option<(u32, u32)>| {
+            let renderer = Renderer::new(gpu, &compiled, size).expect("a small picture");
+            let mut renderer = match parts {
+                Some((pixels, side)) => renderer.in_parts_of(pixels, side),
+                None => renderer,
+            };
+            let mut shares = vec![];
+            let picture = renderer.draw(&moment, 3, &mut |share| {
+                shares.push(share);
+                ControlFlow::Continue(())
+            });
+            assert!(
+                shares.is_sorted() && shares.last().is_some_and(|s| (s - 1.0).abs() < 1e-4),
+                "{shares:?}"
+            );
+            picture.expect("it draws").expect("nobody stops it")
+        };
+        let whole = drawn(None);
+        for parts in [(53 * 8, 4096), (53 * 4, 16), (1, 2)] {
+            let parted = drawn(Some(parts));
+            assert_eq!(parted.rgba, whole.rgba, "{parts:?}");
+            assert_eq!((parted.radiance, parted.depth), (whole.radiance.clone(), whole.depth.clone()));
+        }
+    }
+}
+
+#[test]
+fn sizes_beyond_the_limits_are_refused_by_saying_them() {
+    let Some(_) = common::gpu() else { return };
+    let out = tempfile::tempdir().expect("a temporary folder");
+    for (name, size, limit) in [
+        ("a.png", "65537x8", "pictures go from 1x1 to 65536x65536"),
+        ("a.png", "0x8", "pictures go from 1x1 to 65536x65536"),
+        ("a.exr", "20000x20000", "which takes 67108864 pixels"),
+    ] {
+        let file = out.path().join(name);
+        let refused =
+            raytoy(&["render", "scenes/two_suns.ron", "-o", &file.to_string_lossy(), "--size", size]);
+        assert_eq!(refused.status.code(), Some(2), "{}", stderr(&refused));
+        assert!(stderr(&refused).contains(limit), "{}", stderr(&refused));
+        assert!(!file.exists(), "{name}");
+    }
+    // Wider than the textures of most GPUs.
+    let file = out.path().join("long.png");
+    render(&["scenes/two_suns.ron", "-o", &file.to_string_lossy(), "--size", "40000x2"]);
+    assert_eq!(image::image_dimensions(&file).expect("a PNG"), (40_000, 2));
 }
 
 #[test]

@@ -1,17 +1,21 @@
 //! A picture as the bytes of a file, the same bytes for the same picture.
 
-use std::io::Cursor;
+use std::io::{self, Cursor, Write};
 
 use image::{ImageFormat, RgbImage};
 
 use super::{CaptureError, Origin};
 use crate::gpu::{Identity, Picture};
 
-/// The picture as a screen shows it, with what it was made of as text chunks.
-pub(super) fn png(picture: &Picture, origin: &Origin) -> Result<Vec<u8>, CaptureError> {
-    let refused = |error: png::EncodingError| CaptureError::Format(format!("no PNG file: {error}"));
-    let mut bytes = vec![];
-    let mut encoder = png::Encoder::new(&mut bytes, picture.size[0], picture.size[1]);
+/// A PNG file with what the picture is made of as text chunks. `draw` hands over the picture as a screen
+/// shows it, a strip after the other from the top.
+pub(super) fn png<T>(
+    out: &mut dyn Write,
+    size: [u32; 2],
+    origin: &Origin,
+    draw: impl FnOnce(&mut dyn FnMut(&Picture) -> io::Result<()>) -> Result<T, CaptureError>,
+) -> Result<T, CaptureError> {
+    let mut encoder = png::Encoder::new(out, size[0], size[1]);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
@@ -20,9 +24,18 @@ pub(super) fn png(picture: &Picture, origin: &Origin) -> Result<Vec<u8>, Capture
         encoder.add_itxt_chunk(keyword, text).map_err(refused)?;
     }
     let mut writer = encoder.write_header().map_err(refused)?;
-    writer.write_image_data(&rgb(picture)).map_err(refused)?;
+    let mut rows = writer.stream_writer().map_err(refused)?;
+    let drawn = draw(&mut |strip| rows.write_all(&rgb(strip)))?;
+    rows.finish().map_err(refused)?;
     writer.finish().map_err(refused)?;
-    Ok(bytes)
+    Ok(drawn)
+}
+
+fn refused(error: png::EncodingError) -> CaptureError {
+    match error {
+        png::EncodingError::IoError(error) => CaptureError::Output(error),
+        other => CaptureError::Format(format!("no PNG file: {other}")),
+    }
 }
 
 /// The picture as a screen shows it, in a small file.

@@ -2,7 +2,7 @@
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions, Permissions};
-use std::io;
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// A file in the making: it lies beside the one that it is to replace, and is removed with this value unless
@@ -21,12 +21,26 @@ pub struct Draft {
 /// # Errors
 /// Where the file cannot be written.
 pub fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    if is_special(path) {
-        return fs::write(path, bytes);
+    write_file_with(path, |out| out.write_all(bytes))?
+}
+
+/// The same with what `write` writes. The file is kept only where that works.
+///
+/// # Errors
+/// Where the file cannot be written; inside, what `write` returns.
+pub fn write_file_with<T, E>(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<T, E>,
+) -> io::Result<Result<T, E>> {
+    let draft = if is_special(path) { None } else { Some(Draft::beside(path)?) };
+    let mut out = BufWriter::new(File::create(draft.as_ref().map_or(path, Draft::path))?);
+    let written = write(&mut out);
+    if written.is_ok() {
+        out.flush()?;
+        drop(out);
+        draft.map_or(Ok(()), Draft::keep)?;
     }
-    let draft = Draft::beside(path)?;
-    fs::write(draft.path(), bytes)?;
-    draft.keep()
+    Ok(written)
 }
 
 impl Draft {

@@ -10,17 +10,21 @@ mod frames;
 mod movie;
 mod origin;
 
+use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 pub use encode::jpeg;
-pub use files::write_file;
+pub use files::{write_file, write_file_with};
 pub use frames::{Frames, Numbered, stills};
 pub use movie::{MovieFormat, movie};
 pub use origin::Origin;
 
 use crate::Compiled;
-use crate::gpu::{Gpu, GpuError, Moment, Picture, PictureTimes, Renderer};
+use crate::gpu::{Gpu, GpuError, MOST_SIDE, Moment, Picture, PictureTimes, Renderer};
+
+/// The most pixels of a picture that memory must hold: an EXR file, or a frame of a movie.
+const MOST_AT_ONCE: u64 = 1 << 26;
 
 /// What to take a picture of, and how.
 #[derive(Clone, Copy, Debug)]
@@ -66,6 +70,8 @@ pub enum CaptureError {
     Format(String),
     /// The file cannot be written.
     File(PathBuf, std::io::Error),
+    /// Whoever takes the picture's bytes takes no more.
+    Output(std::io::Error),
     /// There is no ffmpeg on this machine.
     NoFfmpeg,
     /// ffmpeg did not do its work: what it said.
@@ -89,6 +95,24 @@ pub fn still(
     Ok(still)
 }
 
+/// The same, which goes to `out` as it is drawn: so a PNG file may be larger than the memory, and no
+/// bytes are returned.
+///
+/// # Errors
+/// As with [`still`], and where `out` takes no more.
+pub fn still_to(
+    out: &mut dyn Write,
+    shot: &Shot<'_>,
+    format: Format,
+    progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
+) -> Result<Still, CaptureError> {
+    let mut renderer = shot.renderer()?;
+    let times = shot.still_to(out, &mut renderer, format, progress)?;
+    let moment = Moment { split: None, ..shot.moment };
+    let sample = shot.gpu.is_software().then(|| renderer.sample(&moment, SAMPLE)).transpose()?;
+    Ok(Still { bytes: vec![], times, sample })
+}
+
 impl Format {
     /// The format that a file's name asks for.
     pub fn of(path: &Path) -> Option<Self> {
@@ -110,6 +134,15 @@ impl Shot<'_> {
         renderer: &mut Renderer,
         progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
     ) -> Result<Picture, CaptureError> {
+        let pixels = u64::from(self.size[0]) * u64::from(self.size[1]);
+        if pixels > MOST_AT_ONCE {
+            let why = format!(
+                "a picture of {}x{} is too large for this format, which takes {MOST_AT_ONCE} pixels, \
+                 such as 8192x8192; PNG pictures go to {MOST_SIDE}x{MOST_SIDE}",
+                self.size[0], self.size[1]
+            );
+            return Err(CaptureError::Format(why));
+        }
         renderer.draw(&self.moment, self.samples, progress)?.ok_or(CaptureError::Stopped)
     }
 
@@ -119,19 +152,32 @@ impl Shot<'_> {
         format: Format,
         progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
     ) -> Result<Still, CaptureError> {
-        let (picture, bytes) = match format {
-            Format::Png => {
-                let picture = self.picture(renderer, progress)?;
-                let bytes = encode::png(&picture, &Origin::of(self))?;
-                (picture, bytes)
-            }
-            Format::Exr => {
-                let picture = self.picture(renderer, progress)?;
-                let bytes = encode::exr(&picture, &renderer.identity(&self.moment)?)?;
-                (picture, bytes)
-            }
-        };
-        Ok(Still { bytes, times: picture.times, sample: None })
+        let mut bytes = vec![];
+        let times = self.still_to(&mut bytes, renderer, format, progress)?;
+        Ok(Still { bytes, times, sample: None })
+    }
+
+    fn still_to(
+        &self,
+        out: &mut dyn Write,
+        renderer: &mut Renderer,
+        format: Format,
+        progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
+    ) -> Result<PictureTimes, CaptureError> {
+        if format == Format::Exr {
+            let picture = self.picture(renderer, progress)?;
+            let bytes = encode::exr(&picture, &renderer.identity(&self.moment)?)?;
+            out.write_all(&bytes).map_err(CaptureError::Output)?;
+            return Ok(picture.times);
+        }
+        encode::png(out, self.size, &Origin::of(self), |take| {
+            let mut failure = None;
+            let times = renderer.draw_strips(&self.moment, self.samples, progress, &mut |strip| {
+                failure = take(&strip).err();
+                if failure.is_none() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            })?;
+            failure.map_or(times.ok_or(CaptureError::Stopped), |error| Err(CaptureError::Output(error)))
+        })
     }
 }
 
@@ -148,6 +194,7 @@ impl std::fmt::Display for CaptureError {
             CaptureError::Gpu(error) => write!(f, "{error}"),
             CaptureError::Format(why) => write!(f, "{why}"),
             CaptureError::File(path, error) => write!(f, "cannot write `{}`: {error}", path.display()),
+            CaptureError::Output(error) => write!(f, "cannot write the picture: {error}"),
             CaptureError::NoFfmpeg => f.write_str(
                 "movies are made by ffmpeg, which is not installed\n  \
                  Debian, Ubuntu  apt install ffmpeg\n  \

@@ -10,7 +10,7 @@ use super::args::RenderOptions;
 use super::stats::Stats;
 use super::{Failure, Result, frames, print_report, write_output};
 use crate::Compiled;
-use crate::capture::{self, Format, MovieFormat, SAMPLE, Shot};
+use crate::capture::{self, CaptureError, Format, MovieFormat, SAMPLE, Shot, write_file_with};
 use crate::diagnostic::{Diagnostic, Report};
 use crate::gpu::{Gpu, Moment, Split, View};
 use crate::ir::Measure;
@@ -119,18 +119,28 @@ fn outputs(scenes: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>> {
 fn draw(shot: &Shot<'_>, output: &Path) -> Result<Stats> {
     let format = Format::of(output).unwrap_or(Format::Png);
     let name = &shot.compiled.scene.name;
-    let still = with_progress(name, |progress| capture::still(shot, format, progress))?;
-    write_output(output, &still.bytes)?;
+    let unwritten = |error| Failure::Call(format!("cannot write `{}`: {error}", output.display()));
+    let drawn = with_progress(name, |progress| {
+        if output == Path::new("-") {
+            let still = capture::still(shot, format, progress)?;
+            return write_output(output, &still.bytes).map(|()| still);
+        }
+        let written = write_file_with(output, |out| capture::still_to(out, shot, format, progress));
+        written.map_err(unwritten)?.map_err(|error| match error {
+            CaptureError::Output(error) => unwritten(error),
+            error => error.into(),
+        })
+    })?;
     if output != Path::new("-") {
         eprintln!("{}: {}x{}", output.display(), shot.size[0], shot.size[1]);
     }
-    if let Some(doubt) = still.sample.as_ref().and_then(|drawn| {
+    if let Some(doubt) = drawn.sample.as_ref().and_then(|seen| {
         let moment = Moment { split: None, ..shot.moment };
-        canary::doubt(shot.compiled, &moment, SAMPLE, drawn, MOST_FOR_DOUBTS)
+        canary::doubt(shot.compiled, &moment, SAMPLE, seen, MOST_FOR_DOUBTS)
     }) {
         print_report(&Report { diagnostics: vec![doubtful(shot, doubt)], texts: Default::default() });
     }
-    Ok(Stats::new(shot, &still.times))
+    Ok(Stats::new(shot, &drawn.times))
 }
 
 fn doubtful(shot: &Shot<'_>, doubt: Doubt) -> Diagnostic {

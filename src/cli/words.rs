@@ -5,12 +5,13 @@
 use std::ops::Range;
 
 use crate::export::Language;
-use crate::gpu::{AdapterChoice, View};
+use crate::gpu::{AdapterChoice, MOST_SIDE, View};
 
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     let parsed = text.split_once(['x', 'X']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
-    let sensible = |size: &[u32; 2]| size.iter().all(|n| (1..=32768).contains(n));
-    parsed.filter(sensible).ok_or_else(|| "a size is width x height in pixels, such as 960x540".into())
+    let size = parsed.ok_or("a size is width x height in pixels, such as 960x540")?;
+    let is_drawn = size.iter().all(|n| (1..=MOST_SIDE).contains(n));
+    is_drawn.then_some(size).ok_or_else(|| format!("pictures go from 1x1 to {MOST_SIDE}x{MOST_SIDE}"))
 }
 
 pub fn frames(text: &str) -> Result<Range<u32>, String> {

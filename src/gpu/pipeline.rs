@@ -146,7 +146,8 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
     let stage = wgpu::ShaderStages::FRAGMENT;
     let frame = uniform_entry(0, size_of::<super::uniforms::Frame>() as u64, stage);
     let numbers = numbers_buffer(gpu, compiled);
-    let mut entries = vec![frame, super::display::texture_entry(1)];
+    let corner = uniform_entry(4, size_of::<[f32; 2]>() as u64, stage);
+    let mut entries = vec![frame, super::display::texture_entry(1), corner];
     entries.extend(numbers.iter().map(|n| uniform_entry(2, n.size(), stage)));
     let guard = Guard::new(gpu, compiled);
     entries.extend(guard.iter().map(|_| Guard::layout(stage)));

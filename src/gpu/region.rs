@@ -21,6 +21,16 @@ impl Region {
         Self { columns: column..end, rows: row..row + 1 }
     }
 
+    /// Width and height, pixels.
+    pub fn size(&self) -> [u32; 2] {
+        [self.columns.len() as u32, self.rows.len() as u32]
+    }
+
+    /// Its first column and row.
+    pub fn corner(&self) -> [u32; 2] {
+        [self.columns.start, self.rows.start]
+    }
+
     /// How many pixels it has.
     pub fn pixels(&self) -> u32 {
         self.columns.len() as u32 * self.rows.len() as u32

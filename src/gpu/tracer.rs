@@ -11,6 +11,9 @@ use crate::ir;
 pub struct Tracer {
     gpu: Gpu,
     frame: wgpu::Buffer,
+    corner: wgpu::Buffer,
+    /// The picture that this is a part of, and where it begins there.
+    whole: ([u32; 2], [u32; 2]),
     textures: [wgpu::Texture; 2],
     samples: u32,
 }
@@ -25,6 +28,7 @@ impl Tracer {
                 format!("a picture of {}x{}; its pictures go from 1x1 to {most}x{most}", size[0], size[1]);
             return Err(GpuError::Refused(why));
         }
+        let corner = uniform_buffer(gpu, "corner", size_of::<[f32; 2]>() as u64);
         let frame = uniform_buffer(gpu, "frame", size_of::<Frame>() as u64);
         let texture = |label| {
             gpu.device.create_texture(&wgpu::TextureDescriptor {
@@ -43,7 +47,13 @@ impl Tracer {
         };
         let textures = [texture("even samples"), texture("odd samples")];
         gpu.check()?;
-        Ok(Self { gpu: gpu.clone(), frame, textures, samples: 0 })
+        Ok(Self { gpu: gpu.clone(), frame, corner, whole: (size, [0; 2]), textures, samples: 0 })
+    }
+
+    /// Goes on as a part of a picture of `size` pixels, at `corner`, without any samples.
+    pub(super) fn aim(&mut self, size: [u32; 2], corner: [u32; 2]) {
+        self.whole = (size, corner);
+        self.restart();
     }
 
     pub fn size(&self) -> [u32; 2] {
@@ -75,14 +85,17 @@ impl Tracer {
         region: &Region,
     ) {
         let Gpu { device, queue, .. } = &self.gpu;
-        let frame = Frame::new(moment, render, pipeline.casters, self.size(), self.samples, jitter);
+        let (size, corner) = self.whole;
+        let frame = Frame::new(moment, render, pipeline.casters, size, self.samples, jitter);
         queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&frame));
+        queue.write_buffer(&self.corner, 0, bytemuck::bytes_of(&corner.map(|n| n as f32)));
         let target = &self.textures[self.samples as usize % 2];
         let (before, target) =
             (self.picture().create_view(&Default::default()), target.create_view(&Default::default()));
         let mut entries = vec![
             wgpu::BindGroupEntry { binding: 0, resource: self.frame.as_entire_binding() },
             wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&before) },
+            wgpu::BindGroupEntry { binding: 4, resource: self.corner.as_entire_binding() },
         ];
         if let Some(numbers) = &pipeline.numbers {
             entries.push(wgpu::BindGroupEntry { binding: 2, resource: numbers.as_entire_binding() });

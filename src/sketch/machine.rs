@@ -209,6 +209,7 @@ impl<'a> Machine<'a> {
         let buffer = |buffer| match buffer {
             Buffer::Frame => self.inputs.frame,
             Buffer::Numbers => self.inputs.numbers,
+            Buffer::Corner => &[0; 2],
         };
         match *op {
             Op::One { f, to, a } => registers[to as usize] = one(f, &registers[a as usize]),

@@ -234,4 +234,6 @@ impl Op {
 pub enum Buffer {
     Frame,
     Numbers,
+    /// Where in the picture the part lies that is drawn: a sketch is drawn whole.
+    Corner,
 }

@@ -46,6 +46,7 @@ impl<'m> Lowering<'m> {
                     (AddressSpace::Uniform, Some(binding)) => Base::Buffer(match binding.binding {
                         0 => Buffer::Frame,
                         2 => Buffer::Numbers,
+                        4 => Buffer::Corner,
                         other => return unsupported(other),
                     }),
                     _ => match self.globals.get(handle) {
