@@ -17,7 +17,7 @@ struct Material {
     fresnel: f32,
     /// Share of what is not mirrored that passes through.
     transmission: f32,
-    /// Index of refraction inside; outside it is 1.
+    /// Index of refraction inside.
     ior: f32,
 }
 

@@ -1,30 +1,11 @@
 // The tree of rays that a pixel sends, walked in a loop.
 
-/// The most rays that a pixel may send. Weights alone bound the tree; this bounds it for the driver too.
-const MAX_RAYS: u32 = 1024u;
-
-/// The lighter of two branches goes on, with half the weight at most, and the heavier waits: since
-/// weights end at MIN_WEIGHT, no more than log2(512) ever do.
-const MAX_WAITING: u32 = 9u;
-
-/// A ray still to be followed.
-struct Branch {
-    origin: vec3f,
-    /// Share of the picture that it carries.
-    weight: f32,
-    /// Length 1.
-    direction: vec3f,
-    /// Width of the pixel where the ray starts.
-    width: f32,
-    depth: u32,
-}
-
 /// Follows a ray of length 1 from `origin` and all that it splits into.
 fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
     var seen = Seen(vec3f(0.0), -1.0, vec3f(0.0), NO_OBJECT, 0u);
     var waiting: array<Branch, MAX_WAITING>;
     var waits = 0u;
-    var branch = Branch(origin, 1.0, direction, 0.0, 0u);
+    var branch = Branch(origin, 1.0, direction, 0.0, AIR, 0u);
     for (var rays = 0u; rays < MAX_RAYS; rays++) {
         let ray = Ray(branch.origin, 0.0, branch.direction, NO_HIT);
         let hit = rayTraceScene(ray);
@@ -66,16 +47,19 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             let reflects = deeper && reflection >= MIN_WEIGHT;
             let refracts = TRANSMITS && deeper && refraction >= MIN_WEIGHT;
             let into = branch.direction;
+            let media = branch.media;
             if reflects {
                 var away = reflect(into, n);
                 // Where light sees another surface than rays meet, a mirror may point into it.
                 away = normalize(away + max(0.001 - dot(away, facing), 0.0) * facing);
-                branch = Branch(outside, reflection, away, width, depth + 1u);
+                branch = Branch(outside, reflection, away, width, media, depth + 1u);
             }
             if refracts {
-                let through = refracted(into, n, select(1.0 / material.ior, material.ior, inside));
-                let start = spawnPoint(p, select(-facing, facing, dot(through, facing) > 0.0), hit.t);
-                let beyond = Branch(start, refraction, through, width, depth + 1u);
+                let through = refracted(into, n, indexRatio(media, material.ior, inside));
+                let is_mirrored = dot(through, facing) > 0.0;
+                let start = spawnPoint(p, select(-facing, facing, is_mirrored), hit.t);
+                let behind = select(mediaBehind(media, material.ior, inside), media, is_mirrored);
+                let beyond = Branch(start, refraction, through, width, behind, depth + 1u);
                 var heavier = beyond;
                 if !reflects || reflection > refraction {
                     heavier = branch;

@@ -36,6 +36,33 @@ fn glass_agrees() {
 }
 
 #[test]
+fn media_in_each_other_agree() {
+    let glass = |shape: &str, ior: f64| {
+        format!("{shape}, casts_shadow: false, material: (color: 0, transmission: 1, ior: {ior}))")
+    };
+    let objects = [
+        // Water in water, of which nothing is seen; a bubble in glass; three media in each other.
+        glass("Sphere(center: (-2.4, 0, 0)", 1.33),
+        glass("Sphere(center: (-2.4, 0, 0), radius: 0.6", 1.33),
+        glass("Sphere(radius: 1", 1.5),
+        glass("Sphere(radius: 0.5", 1.0),
+        glass("Box(min: (1.4, -1, -1), max: (3.4, 1, 1)", 1.5),
+        glass("Sphere(center: (2.4, 0, 0), radius: 0.9", 1.33),
+        glass("Sphere(center: (2.4, 0, 0), radius: 0.5", 2.4),
+        // Water that reaches into its glass.
+        glass("Cylinder(base: (-1.2, -1, 2), top: (-1.2, 0, 2), radius: 0.3", 1.5),
+        glass("Cylinder(base: (-1.2, -0.1, 2), top: (-1.2, 0.6, 2), radius: 0.2", 1.33),
+    ];
+    let text = format!(
+        "(camera: (eye: (0, 1.5, 7), target: (0, 0, 0)), background: \"skyblue\", objects: [
+            Plane(offset: -1.1, material: (color: Checker(even: 0.9, odd: 0.2))), {}],
+          render: (max_bounces: 10, texture_filter: false))",
+        objects.join(",\n")
+    );
+    check_all([("media".to_owned(), text)], [320, 180]);
+}
+
+#[test]
 fn lights_agree() {
     let text = read("tests/cases/lights/kinds.ron");
     check_all([("lights/kinds".to_owned(), unfiltered(&text))], [320, 180]);

@@ -6,8 +6,10 @@ use super::Section;
 use crate::library::{BUILT_IN, Function, built_in};
 
 /// The hand-written shader around every scene.
-const CORE: [&str; 11] =
-    ["pixel", "trace", "look", "point", "shading", "light", "material", "space", "hit", "ray", "frame"];
+const CORE: [&str; 13] = [
+    "pixel", "trace", "branch", "media", "look", "point", "shading", "light", "material", "space", "hit",
+    "ray", "frame",
+];
 
 /// What goes before it: the entry points, by those who call them.
 const OF_RAYTOY: [&str; 4] = ["main", "cover", "view", "number_color"];

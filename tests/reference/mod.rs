@@ -89,7 +89,7 @@ fn pixel(scene: &Scene, i: usize, j: usize, width: usize, height: usize) -> Pixe
     let ray = Ray { origin, direction };
     let hit = scene.nearest(ray);
     Pixel {
-        radiance: scene.radiance(ray, hit.as_ref(), 0, 1.0),
+        radiance: scene.radiance(ray, hit.as_ref(), &[], 0, 1.0),
         depth: hit.as_ref().map_or(f64::INFINITY, |hit| hit.t),
         normal: hit.as_ref().map_or(Vec3::ZERO, |hit| facing_normal(ray, hit)),
         object: hit.as_ref().map_or(-1, |hit| hit.object.index as i64),

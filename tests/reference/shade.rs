@@ -64,16 +64,17 @@ impl Scene {
         nearest
     }
 
-    /// What a ray sees whose branch weighs `weight`; the primary ray has depth 0.
-    fn trace(&self, ray: Ray, depth: u32, weight: f64) -> Vec3 {
+    /// What a ray sees whose branch weighs `weight`; the primary ray has depth 0. `media` are the indices of
+    /// refraction that it is in, the innermost last.
+    fn trace(&self, ray: Ray, media: &[f64], depth: u32, weight: f64) -> Vec3 {
         if f64::from(depth) > self.settings.max_bounces || weight < LEAST_WEIGHT {
             return Vec3::ZERO;
         }
-        self.radiance(ray, self.nearest(ray).as_ref(), depth, weight)
+        self.radiance(ray, self.nearest(ray).as_ref(), media, depth, weight)
     }
 
     /// radiance = (1 − F)·((1 − transmission)·local + transmission·refracted) + F·reflected.
-    pub fn radiance(&self, ray: Ray, hit: Option<&Hit>, depth: u32, weight: f64) -> Vec3 {
+    pub fn radiance(&self, ray: Ray, hit: Option<&Hit>, media: &[f64], depth: u32, weight: f64) -> Vec3 {
         let Some(hit) = hit else {
             return self.background.color(ray.direction);
         };
@@ -86,11 +87,12 @@ impl Scene {
         }
         if transmission != 0.0 {
             let share = (1.0 - f) * transmission;
-            let refracted = self.trace(point.refracted(), depth + 1, weight * share);
+            let (through, behind) = point.refracted(media);
+            let refracted = self.trace(through, &behind, depth + 1, weight * share);
             radiance = radiance + refracted * share;
         }
         if f != 0.0 {
-            radiance = radiance + self.trace(point.reflected(), depth + 1, weight * f) * f;
+            radiance = radiance + self.trace(point.reflected(), media, depth + 1, weight * f) * f;
         }
         radiance
     }
@@ -165,16 +167,28 @@ impl<'a> Point<'a> {
         Ray { origin: self.off(self.normal), direction: direction.unit() }
     }
 
-    /// Snell's law, sin(inside)·ior = sin(outside); under total internal reflection the reflected ray.
-    fn refracted(&self) -> Ray {
-        let eta = if self.entering { 1.0 / self.material.ior } else { self.material.ior };
+    /// Snell's law between the innermost media on both sides, and the media of the ray that goes on; under
+    /// total internal reflection the reflected ray.
+    fn refracted(&self, media: &[f64]) -> (Ray, Vec<f64>) {
+        let ior = self.material.ior;
+        let mut behind = media.to_vec();
+        let mut before = media.last().copied().unwrap_or(1.0);
+        if self.entering {
+            behind.push(ior);
+        } else if let Some(its) = media.iter().rposition(|medium| *medium == ior) {
+            behind.remove(its);
+        } else {
+            before = ior;
+            behind.pop();
+        }
+        let eta = before / behind.last().copied().unwrap_or(1.0);
         let cosine = self.normal.dot(self.view);
         let k = 1.0 - eta * eta * (1.0 - cosine * cosine);
         if k < 0.0 {
-            return self.reflected();
+            return (self.reflected(), media.to_vec());
         }
         let direction = self.normal * (eta * cosine - k.sqrt()) - self.view * eta;
-        Ray { origin: self.off(-self.normal), direction: direction.unit() }
+        (Ray { origin: self.off(-self.normal), direction: direction.unit() }, behind)
     }
 
     /// The point moved a little to the side that `normal` shows.

@@ -92,6 +92,7 @@ struct Branch {
     float weight;
     vec3 direction;
     float width;
+    vec4 media;
     uint depth;
 };
 struct Looked {
@@ -114,6 +115,7 @@ const float NO_FRESNEL = -1.0;
 const mat3x3 OCTAVE_TURN = mat3x3(vec3(0.48, 0.8, -0.36), vec3(-0.64, 0.6, 0.48), vec3(0.6, 0.0, 0.8));
 const vec3 OCTAVE_SHIFT = vec3(7.31, -3.57, 5.83);
 const uint MAX_WAITING = 9u;
+const vec4 AIR = vec4(1.0);
 const uint MAX_RAYS = 1024u;
 const uint HIGH_HALF = 4294963200u;
 const float MOST_SLIP = 1e-6;
@@ -682,176 +684,231 @@ vec3 refracted(vec3 direction_2, vec3 normal_4, float ratio) {
     return ((ratio * direction_2) + (((ratio * cosine_3) - sqrt(k)) * normal_4));
 }
 
-Seen traceTree(vec3 origin_2, vec3 direction_3) {
-    Seen seen_1 = Seen(vec3(0.0), -1.0, vec3(0.0), 4294967295u, 0u);
-    Branch waiting[9] = Branch[9](Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u));
-    uint waits = 0u;
-    Branch branch = Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u);
-    uint rays = 0u;
-    bool follows = false;
-    vec3 n_3 = vec3(0.0);
+vec4 mediaBehind(vec4 media, float ior, bool leaves) {
     bool local_4 = false;
     bool local_5 = false;
     bool local_6 = false;
-    vec3 away = vec3(0.0);
-    Branch heavier = Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, 0u);
+    if (!(leaves)) {
+        return vec4(ior, media.xyz);
+    }
+    bvec4 is_it = equal(media, vec4(ior));
+    if (!(is_it.x)) {
+        local_4 = is_it.y;
+    } else {
+        local_4 = false;
+    }
+    bool _e14 = local_4;
+    if (_e14) {
+        return vec4(media.x, media.zw, 1.0);
+    }
+    if (!(is_it.x)) {
+        local_5 = is_it.z;
+    } else {
+        local_5 = false;
+    }
+    bool _e25 = local_5;
+    if (_e25) {
+        return vec4(media.xy, media.w, 1.0);
+    }
+    if (!(is_it.x)) {
+        local_6 = is_it.w;
+    } else {
+        local_6 = false;
+    }
+    bool _e36 = local_6;
+    if (_e36) {
+        return vec4(media.xyz, 1.0);
+    }
+    return vec4(media.yzw, 1.0);
+}
+
+float indexRatio(vec4 media_1, float ior_1, bool leaves_1) {
     bool local_7 = false;
+    if (!(!(leaves_1))) {
+        local_7 = any(equal(media_1, vec4(ior_1)));
+    } else {
+        local_7 = true;
+    }
+    bool is_known = local_7;
+    vec4 _e14 = mediaBehind(media_1, ior_1, leaves_1);
+    return ((is_known ? media_1.x : ior_1) / _e14.x);
+}
+
+Seen traceTree(vec3 origin_2, vec3 direction_3) {
+    Seen seen_1 = Seen(vec3(0.0), -1.0, vec3(0.0), 4294967295u, 0u);
+    Branch waiting[9] = Branch[9](Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), 0u), Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), 0u));
+    uint waits = 0u;
+    Branch branch = Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), 0u);
+    uint rays = 0u;
+    bool follows = false;
+    vec3 n_3 = vec3(0.0);
     bool local_8 = false;
     bool local_9 = false;
-    branch = Branch(origin_2, 1.0, direction_3, 0.0, 0u);
+    bool local_10 = false;
+    vec3 away = vec3(0.0);
+    Branch heavier = Branch(vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), 0u);
+    bool local_11 = false;
+    bool local_12 = false;
+    bool local_13 = false;
+    branch = Branch(origin_2, 1.0, direction_3, 0.0, AIR, 0u);
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            uint _e240 = rays;
-            rays = (_e240 + 1u);
+            uint _e243 = rays;
+            rays = (_e243 + 1u);
         }
         loop_init_2 = false;
-        uint _e21 = rays;
-        if ((_e21 < MAX_RAYS)) {
+        uint _e22 = rays;
+        if ((_e22 < MAX_RAYS)) {
         } else {
             break;
         }
         {
-            vec3 _e25 = branch.origin;
-            vec3 _e27 = branch.direction;
-            Ray ray_14 = Ray(_e25, 0.0, _e27, NO_HIT);
-            Hit _e31 = rayTraceScene(ray_14);
+            vec3 _e26 = branch.origin;
+            vec3 _e28 = branch.direction;
+            Ray ray_14 = Ray(_e26, 0.0, _e28, NO_HIT);
+            Hit _e32 = rayTraceScene(ray_14);
             uint depth = branch.depth;
-            uint _e36 = seen_1.bounces;
-            seen_1.bounces = max(_e36, depth);
+            uint _e37 = seen_1.bounces;
+            seen_1.bounces = max(_e37, depth);
             follows = false;
-            if ((_e31.object == NO_OBJECT)) {
-                vec3 _e44 = seen_1.radiance;
-                float _e46 = branch.weight;
-                vec3 _e48 = branch.direction;
-                vec3 _e49 = background(_e48);
-                seen_1.radiance = (_e44 + (_e46 * _e49));
+            if ((_e32.object == NO_OBJECT)) {
+                vec3 _e45 = seen_1.radiance;
+                float _e47 = branch.weight;
+                vec3 _e49 = branch.direction;
+                vec3 _e50 = background(_e49);
+                seen_1.radiance = (_e45 + (_e47 * _e50));
             } else {
-                vec3 _e53 = branch.direction;
-                vec3 v_4 = -(_e53);
-                float _e56 = branch.width;
-                float _e59 = frame.pixel_spread;
-                float width_2 = (_e56 + (_e59 * _e31.t));
-                Looked _e63 = looked(ray_14, _e31, width_2);
-                vec3 p_8 = _e63.point;
-                Placed met_2 = _e63.met;
-                Material material_3 = _e63.material;
+                vec3 _e54 = branch.direction;
+                vec3 v_4 = -(_e54);
+                float _e57 = branch.width;
+                float _e60 = frame.pixel_spread;
+                float width_2 = (_e57 + (_e60 * _e32.t));
+                Looked _e64 = looked(ray_14, _e32, width_2);
+                vec3 p_8 = _e64.point;
+                Placed met_2 = _e64.met;
+                Material material_3 = _e64.material;
                 bool inside_2 = (dot(met_2.facet, v_4) < 0.0);
                 vec3 facing_1 = (inside_2 ? -(met_2.facet) : met_2.facet);
-                vec3 _e76 = normalAt(_e31.object, met_2);
-                n_3 = _e76;
-                vec3 _e78 = n_3;
+                vec3 _e77 = normalAt(_e32.object, met_2);
+                n_3 = _e77;
                 vec3 _e79 = n_3;
-                n_3 = (inside_2 ? -(_e79) : _e78);
-                vec3 _e82 = n_3;
+                vec3 _e80 = n_3;
+                n_3 = (inside_2 ? -(_e80) : _e79);
                 vec3 _e83 = n_3;
-                n_3 = normalize((_e82 + (max((0.001 - dot(_e83, v_4)), 0.0) * v_4)));
-                vec3 _e97 = spawnPoint(p_8, ((facing_1 + v_4) - (dot(facing_1, v_4) * facing_1)), _e31.t);
+                vec3 _e84 = n_3;
+                n_3 = normalize((_e83 + (max((0.001 - dot(_e84, v_4)), 0.0) * v_4)));
+                vec3 _e98 = spawnPoint(p_8, ((facing_1 + v_4) - (dot(facing_1, v_4) * facing_1)), _e32.t);
                 vec3 rise = ((inside_2 ? 0.0 : met_2.rise) * met_2.facet);
-                vec3 _e105 = n_3;
-                Shade _e106 = shade((p_8 + rise), (_e97 + rise), _e105, v_4, material_3);
+                vec3 _e106 = n_3;
+                Shade _e107 = shade((p_8 + rise), (_e98 + rise), _e106, v_4, material_3);
                 if ((depth == 0u)) {
-                    seen_1.depth = _e31.t;
-                    seen_1.object = _e31.object;
-                    vec3 _e114 = n_3;
-                    vec3 _e117 = surfaceView(_e31, met_2, _e114, v_4, material_3.color, _e106.visibility);
-                    seen_1.value = _e117;
+                    seen_1.depth = _e32.t;
+                    seen_1.object = _e32.object;
+                    vec3 _e115 = n_3;
+                    vec3 _e118 = surfaceView(_e32, met_2, _e115, v_4, material_3.color, _e107.visibility);
+                    seen_1.value = _e118;
                 }
-                vec3 _e118 = n_3;
-                float _e123 = mirrored(material_3, clamp(dot(_e118, v_4), 0.0, 1.0));
-                float _e125 = branch.weight;
-                float stays = (_e125 * (1.0 - _e123));
-                vec3 _e130 = seen_1.radiance;
-                seen_1.radiance = (_e130 + ((stays * (1.0 - material_3.transmission)) * _e106.light));
-                uint _e140 = frame.max_bounces;
-                uint _e142 = zero;
-                bool deeper = (depth < (_e140 + _e142));
-                float _e146 = branch.weight;
-                float reflection = (_e146 * _e123);
+                vec3 _e119 = n_3;
+                float _e124 = mirrored(material_3, clamp(dot(_e119, v_4), 0.0, 1.0));
+                float _e126 = branch.weight;
+                float stays = (_e126 * (1.0 - _e124));
+                vec3 _e131 = seen_1.radiance;
+                seen_1.radiance = (_e131 + ((stays * (1.0 - material_3.transmission)) * _e107.light));
+                uint _e141 = frame.max_bounces;
+                uint _e143 = zero;
+                bool deeper = (depth < (_e141 + _e143));
+                float _e147 = branch.weight;
+                float reflection = (_e147 * _e124);
                 float refraction = (stays * material_3.transmission);
                 if (deeper) {
-                    local_4 = (reflection >= MIN_WEIGHT);
+                    local_8 = (reflection >= MIN_WEIGHT);
                 } else {
-                    local_4 = false;
+                    local_8 = false;
                 }
-                bool reflects = local_4;
+                bool reflects = local_8;
                 if (TRANSMITS) {
-                    local_5 = deeper;
+                    local_9 = deeper;
                 } else {
-                    local_5 = false;
+                    local_9 = false;
                 }
-                bool _e160 = local_5;
-                if (_e160) {
-                    local_6 = (refraction >= MIN_WEIGHT);
+                bool _e161 = local_9;
+                if (_e161) {
+                    local_10 = (refraction >= MIN_WEIGHT);
                 } else {
-                    local_6 = false;
+                    local_10 = false;
                 }
-                bool refracts = local_6;
+                bool refracts = local_10;
                 vec3 into = branch.direction;
+                vec4 media_2 = branch.media;
                 if (reflects) {
-                    vec3 _e169 = n_3;
-                    away = reflect(into, _e169);
-                    vec3 _e172 = away;
-                    vec3 _e173 = away;
-                    away = normalize((_e172 + (max((0.001 - dot(_e173, facing_1)), 0.0) * facing_1)));
-                    vec3 _e182 = away;
-                    branch = Branch(_e97, reflection, _e182, width_2, (depth + 1u));
+                    vec3 _e172 = n_3;
+                    away = reflect(into, _e172);
+                    vec3 _e175 = away;
+                    vec3 _e176 = away;
+                    away = normalize((_e175 + (max((0.001 - dot(_e176, facing_1)), 0.0) * facing_1)));
+                    vec3 _e185 = away;
+                    branch = Branch(_e98, reflection, _e185, width_2, media_2, (depth + 1u));
                 }
                 if (refracts) {
-                    vec3 _e186 = n_3;
-                    vec3 _e192 = refracted(into, _e186, (inside_2 ? material_3.ior : (1.0 / material_3.ior)));
-                    vec3 _e199 = spawnPoint(p_8, ((dot(_e192, facing_1) > 0.0) ? facing_1 : -(facing_1)), _e31.t);
-                    Branch beyond = Branch(_e199, refraction, _e192, width_2, (depth + 1u));
+                    vec3 _e189 = n_3;
+                    float _e191 = indexRatio(media_2, material_3.ior, inside_2);
+                    vec3 _e192 = refracted(into, _e189, _e191);
+                    bool is_mirrored = (dot(_e192, facing_1) > 0.0);
+                    vec3 _e199 = spawnPoint(p_8, (is_mirrored ? facing_1 : -(facing_1)), _e32.t);
+                    vec4 _e201 = mediaBehind(media_2, material_3.ior, inside_2);
+                    vec4 behind = (is_mirrored ? media_2 : _e201);
+                    Branch beyond = Branch(_e199, refraction, _e192, width_2, behind, (depth + 1u));
                     heavier = beyond;
                     if (!(!(reflects))) {
-                        local_7 = (reflection > refraction);
+                        local_11 = (reflection > refraction);
                     } else {
-                        local_7 = true;
+                        local_11 = true;
                     }
-                    bool _e210 = local_7;
-                    if (_e210) {
-                        Branch _e211 = branch;
-                        heavier = _e211;
+                    bool _e213 = local_11;
+                    if (_e213) {
+                        Branch _e214 = branch;
+                        heavier = _e214;
                         branch = beyond;
                     }
                     if (reflects) {
-                        uint _e212 = waits;
-                        Branch _e214 = heavier;
-                        waiting[_e212] = _e214;
-                        uint _e216 = waits;
-                        waits = (_e216 + 1u);
+                        uint _e215 = waits;
+                        Branch _e217 = heavier;
+                        waiting[_e215] = _e217;
+                        uint _e219 = waits;
+                        waits = (_e219 + 1u);
                     }
                 }
                 if (!(reflects)) {
-                    local_8 = refracts;
+                    local_12 = refracts;
                 } else {
-                    local_8 = true;
+                    local_12 = true;
                 }
-                bool _e222 = local_8;
-                follows = _e222;
+                bool _e225 = local_12;
+                follows = _e225;
             }
-            bool _e223 = follows;
-            if (!(_e223)) {
+            bool _e226 = follows;
+            if (!(_e226)) {
                 if (false) {
-                    uint _e228 = waits;
-                    local_9 = (_e228 == 0u);
+                    uint _e231 = waits;
+                    local_13 = (_e231 == 0u);
                 } else {
-                    local_9 = true;
+                    local_13 = true;
                 }
-                bool _e232 = local_9;
-                if (_e232) {
+                bool _e235 = local_13;
+                if (_e235) {
                     break;
                 }
-                uint _e234 = waits;
-                waits = (_e234 - 1u);
-                uint _e236 = waits;
-                Branch _e238 = waiting[_e236];
-                branch = _e238;
+                uint _e237 = waits;
+                waits = (_e237 - 1u);
+                uint _e239 = waits;
+                Branch _e241 = waiting[_e239];
+                branch = _e241;
             }
         }
     }
-    Seen _e242 = seen_1;
-    return _e242;
+    Seen _e245 = seen_1;
+    return _e245;
 }
 
 Seen seenAt(vec2 pixel) {
