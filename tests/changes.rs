@@ -150,7 +150,7 @@ fn one_edit_is_told_at_its_path_and_nowhere_else() {
         };
         let only = |kind: ChangeKind| found.len() == 1 && found[0].kind == kind;
         match &edit {
-            Edit::Set { path, .. } => {
+            Edit::Set { path, .. } | Edit::Add { path, .. } => {
                 let added = first_missing(&root, path);
                 let is_new = added.as_ref().is_none_or(|_| only(ChangeKind::New));
                 let path = added.as_ref().unwrap_or(path);

@@ -51,7 +51,7 @@ fn a_byte_order_mark_is_no_column() {
         let marked = outcome_of("a.ron", &format!("\u{feff}{text}"), Mode::Baked).report.to_string();
         assert_eq!(plain, marked);
         assert!(plain.contains("a.ron:2:10"), "{plain}");
-        let first = outcome_of("a.ron", &format!("\u{feff}(objects: [Nope()])"), Mode::Baked);
+        let first = outcome_of("a.ron", "\u{feff}(objects: [Nope()])", Mode::Baked);
         assert!(first.report.to_string().contains("a.ron:1:12"), "{}", first.report);
     }
 }
