@@ -3,6 +3,7 @@
 //! In: the text of a scene. Out: a [`Value`], or all the syntax errors; and what two of them say differently.
 //! What names mean is not known here.
 
+mod brackets;
 mod changes;
 mod numbers;
 mod order;

@@ -100,7 +100,7 @@ fn number_length(text: &str) -> usize {
 }
 
 /// The length of the comment, string, character or name that opens `text`.
-fn skipped(text: &str) -> Option<usize> {
+pub fn skipped(text: &str) -> Option<usize> {
     if text.starts_with("//") {
         return Some(text.find('\n').unwrap_or(text.len()));
     }

@@ -3,6 +3,7 @@
 use ron2::ast::{self, Expr};
 use ron2::error::ErrorKind;
 
+use super::brackets::{excess, marks};
 use super::numbers::{number, readable};
 use super::{Field, Kind, Name, Record, Value};
 use crate::diagnostic::{Diagnostic, Place};
@@ -12,6 +13,10 @@ use crate::diagnostic::{Diagnostic, Place};
 /// # Errors
 /// All syntax errors of the text, in its order.
 pub fn parse(file: &str, text: &str) -> Result<Value, Vec<Diagnostic>> {
+    if let Some(excess) = excess(text) {
+        let place = Place { file: file.into(), span: excess.span };
+        return Err(vec![Diagnostic::error(excess.message).at(place, "")]);
+    }
     let mut reader = Reader { file, text, problems: vec![] };
     let readable = readable(text);
     let (document, errors) = ast::parse_document_lossy(&readable);
@@ -169,33 +174,15 @@ fn range(span: &ron2::error::Span) -> std::ops::Range<usize> {
     span.start_offset..span.end_offset.max(span.start_offset)
 }
 
-/// The first bracket that another kind of bracket closes, or the last that nothing closes. Strings and
-/// comments are skipped.
+/// The first bracket that another kind of bracket closes, or the last that nothing closes.
 fn unclosed(text: &str) -> Option<String> {
     let mut open = vec![];
-    let mut chars = text.char_indices().peekable();
-    while let Some((at, c)) = chars.next() {
-        match c {
-            '"' => {
-                while let Some((_, s)) = chars.next() {
-                    match s {
-                        '\\' => drop(chars.next()),
-                        '"' => break,
-                        _ => {}
-                    }
-                }
-            }
-            '/' if chars.peek().is_some_and(|(_, c)| *c == '/') => {
-                chars.by_ref().find(|(_, c)| *c == '\n');
-            }
-            '(' | '[' | '{' => open.push((at, c)),
-            ')' | ']' | '}' => match open.last() {
-                Some((_, '(')) if c == ')' => drop(open.pop()),
-                Some((_, '[')) if c == ']' => drop(open.pop()),
-                Some((_, '{')) if c == '}' => drop(open.pop()),
-                _ => break,
-            },
-            _ => {}
+    for (at, c) in marks(text) {
+        match (c, open.last()) {
+            ('(' | '[' | '{', _) => open.push((at, c)),
+            (')', Some((_, '('))) | (']', Some((_, '['))) | ('}', Some((_, '{'))) => drop(open.pop()),
+            (',', _) => {}
+            _ => break,
         }
     }
     let (at, bracket) = open.pop()?;

@@ -46,7 +46,7 @@ impl Writer<'_> {
     fn textured(&mut self, index: usize, name: &str, written: &WrittenObject) -> Lines {
         let scene = self.scene;
         let object = &scene.objects[index];
-        let mut body = Body::default();
+        let mut body = Body::of(&object.arguments, scene);
         let mut arguments = vec![Code::atom("p")];
         for (argument, constant) in object.arguments.iter().zip(&written.arguments) {
             arguments.push(match argument {

@@ -54,7 +54,7 @@ impl Writer<'_> {
     }
 
     fn material(&mut self, index: usize, material: &Material) -> Lines {
-        let mut body = Body::default();
+        let mut body = Body::of(material.properties.iter().map(|(_, value)| value), self.scene);
         let mut settings = vec![];
         let mut color = Code::call("vec3f", [Code::atom("0.8")]);
         for (property, value) in &material.properties {
@@ -126,7 +126,7 @@ impl Writer<'_> {
         for (index, material) in scene.materials.iter().enumerate() {
             let Some(bump) = &material.bump else { continue };
             let Some(objects) = self.cases(|m| m == index) else { continue };
-            let mut body = Body::default();
+            let mut body = Body::of([&bump.height], scene);
             let strength = self.numbers.constant(Const::F32(bump.strength));
             let height = self.value(&bump.height, "at", &mut body, 12);
             cases.statement(8, "case ", &objects, ": {");
@@ -143,7 +143,7 @@ impl Writer<'_> {
 
     fn background(&mut self) -> Lines {
         let scene = self.scene;
-        let mut body = Body::default();
+        let mut body = Body::of([&scene.background], scene);
         let color = self.value(&scene.background, "at", &mut body, 4);
         let ambient = self.numbers.constant(Const::Vec3(scene.ambient));
         let mut lines = Lines::default();

@@ -23,7 +23,7 @@ impl Writer<'_> {
             Measure::V => lines.push("    return at.uv.y;"),
             Measure::Footprint => lines.push("    return at.footprint;"),
             Measure::Texture(index) => {
-                let mut body = Body::default();
+                let mut body = Body::of([&Value::Texture(index)], self.scene);
                 let number = self.number(&Value::Texture(index), "at", &mut body, 4);
                 lines.extend(body.lines);
                 lines.statement(4, "return ", &number, ";");
@@ -41,7 +41,7 @@ impl Writer<'_> {
         for (index, material) in scene.materials.iter().enumerate() {
             let Some(objects) = self.cases(|m| m == index) else { continue };
             let color = material.properties.iter().find(|(property, _)| *property == Property::Color);
-            let mut body = Body::default();
+            let mut body = Body::of(color.map(|(_, color)| color), scene);
             let number = match color {
                 Some((_, color)) => self.number(color, "at", &mut body, 12),
                 None => self.numbers.constant(Const::F32(0.8)),
@@ -64,7 +64,7 @@ impl Writer<'_> {
             }
             Value::Texture(index) => self.number(&scene.textures[*index].value, at, body, indent),
             Value::Ramp(ramp) => {
-                let at = self.moved(ramp.at.as_deref(), at, body, indent);
+                let at = self.moved(ramp.at.as_deref(), at, [&ramp.by], body, indent);
                 self.value(&ramp.by, &at, body, indent)
             }
             Value::Grey(number) => self.value(number, at, body, indent),

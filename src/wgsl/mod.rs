@@ -15,6 +15,7 @@ mod names;
 mod numbers;
 mod objects;
 mod sections;
+mod sharing;
 mod values;
 
 use std::collections::BTreeMap;

@@ -1,20 +1,30 @@
 //! Values that vary over a surface, as calls.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Writer;
 use super::code::{self, Code, Lines};
-use crate::ir::{Call, Fit, Interpolation, Measure, Picture, Ramp, Triplanar, Value};
+use super::sharing::{Sharing, called};
+use crate::ir::{Call, Fit, Interpolation, Measure, Picture, Point, Ramp, Scene, Triplanar, Value};
 use crate::library::{Const, Type};
 
 /// The statements before the expression that a function returns.
-#[derive(Default)]
 pub struct Body {
     pub lines: Lines,
     count: usize,
+    /// For each point, by its name, which named textures are evaluated once.
+    shared: BTreeMap<String, Sharing>,
+    /// The local of such a texture at such a point.
+    known: BTreeMap<(usize, String), String>,
 }
 
 impl Body {
+    /// The start of a function that evaluates `values` at its parameter `at`.
+    pub fn of<'v>(values: impl IntoIterator<Item = &'v Value>, scene: &Scene) -> Self {
+        let shared = [("at".to_owned(), Sharing::at(&Point::of(values), scene))].into();
+        Self { lines: Lines::default(), count: 0, shared, known: BTreeMap::new() }
+    }
+
     /// A new local, defined by `keyword name = code;`.
     fn bind(&mut self, keyword: &str, stem: &str, code: &Code, indent: usize) -> String {
         self.count += 1;
@@ -30,7 +40,7 @@ impl Writer<'_> {
         match value {
             Value::Const(constant) => self.numbers.constant(*constant),
             Value::Model(index) => Code::atom(&self.model_names[*index]),
-            Value::Texture(index) => Code::call(&self.texture_names[*index], [Code::atom(at)]),
+            Value::Texture(index) => self.named(*index, at, body, indent),
             Value::Grey(number) => Code::call("vec3f", [self.value(number, at, body, indent)]),
             Value::Luminance(color) => Code::call("luminance", [self.value(color, at, body, indent)]),
             Value::Call(call) => self.call(call, at, body, indent),
@@ -40,8 +50,29 @@ impl Writer<'_> {
         }
     }
 
+    /// A named texture: where it is named again at the same point, it is a local.
+    fn named(&mut self, index: usize, at: &str, body: &mut Body, indent: usize) -> Code {
+        let key = (index, at.to_owned());
+        if let Some(local) = body.known.get(&key) {
+            return Code::atom(local);
+        }
+        let scene = self.scene;
+        let sharing = &body.shared[at];
+        let is_local = sharing.locals.contains(&index);
+        let code = match sharing.opened.contains(&index) {
+            true => self.value(&scene.textures[index].value, at, body, indent),
+            false => Code::call(&self.texture_names[index], [Code::atom(at)]),
+        };
+        if !is_local {
+            return code;
+        }
+        let local = body.bind("let", "shared", &code, indent);
+        body.known.insert(key, local.clone());
+        Code::atom(local)
+    }
+
     fn call(&mut self, call: &Call, at: &str, body: &mut Body, indent: usize) -> Code {
-        let at = &self.moved(call.at.as_deref(), at, body, indent);
+        let at = &self.moved(call.at.as_deref(), at, &call.arguments, body, indent);
         self.uses(&call.function);
         let mut arguments = vec![Code::atom(at)];
         for argument in &call.arguments {
@@ -50,16 +81,26 @@ impl Writer<'_> {
         Code::call(&call.function.wgsl_name, arguments)
     }
 
-    /// The point that `mapping` makes of the point `at`.
-    pub fn moved(&mut self, mapping: Option<&Call>, at: &str, body: &mut Body, indent: usize) -> String {
+    /// The point that `mapping` makes of the point `at`, where `values` are evaluated next.
+    pub fn moved<'v>(
+        &mut self,
+        mapping: Option<&Call>,
+        at: &str,
+        values: impl IntoIterator<Item = &'v Value>,
+        body: &mut Body,
+        indent: usize,
+    ) -> String {
         let Some(mapping) = mapping else { return at.to_owned() };
         let code = self.call(mapping, at, body, indent);
-        body.bind("let", "at", &code, indent)
+        let place = body.bind("let", "at", &code, indent);
+        body.shared.insert(place.clone(), Sharing::at(&Point::of(values), self.scene));
+        place
     }
 
     /// One stop is mixed over the other: below its start a step is 0, above its end 1.
     fn ramp(&mut self, ramp: &Ramp, at: &str, body: &mut Body, indent: usize) -> Code {
-        let at = &self.moved(ramp.at.as_deref(), at, body, indent);
+        let values = ramp.stops.iter().map(|(_, stop)| stop).chain([&ramp.by]);
+        let at = &self.moved(ramp.at.as_deref(), at, values, body, indent);
         let by = self.value(&ramp.by, at, body, indent);
         let by = body.bind("let", "by", &by, indent);
         let (first_at, first) = &ramp.stops[0];
@@ -84,12 +125,13 @@ impl Writer<'_> {
 
     /// The texture is written once, in a loop over the three sides.
     fn triplanar(&mut self, form: &Triplanar, at: &str, body: &mut Body, indent: usize) -> Code {
-        let at = &self.moved(form.at.as_deref(), at, body, indent);
+        let at = &self.moved(form.at.as_deref(), at, [], body, indent);
         let sum = body.bind("var", "sides", &Code::call("vec3f", [Code::atom("0.0")]), indent);
         let sharpness = self.numbers.constant(Const::F32(form.sharpness));
         body.lines.push(format!("{:indent$}for (var side = 0u; side < 3u; side++) {{", ""));
         let project = Code::call("sideOf", [Code::atom(at), Code::atom("side")]);
         let flat = body.bind("let", "at", &project, indent + 4);
+        body.shared.insert(flat.clone(), Sharing::at(&Point::of([&form.of]), self.scene));
         let color = self.value(&form.of, &flat, body, indent + 4);
         let seen = body.bind("let", "side_color", &color, indent + 4);
         let weight = Code::call("sideShare", [Code::atom(at), Code::atom("side"), sharpness]);
@@ -107,10 +149,15 @@ impl Writer<'_> {
         };
         let fitted = |at: &str, whole: &str| Code::call(whole, [Code::atom(at)]);
         let before = match picture.fit {
-            Fit::Mapping => body.bind("let", "at", &fitted(at, "unfitted"), indent),
+            Fit::Mapping => {
+                let place = body.bind("let", "at", &fitted(at, "unfitted"), indent);
+                let values = picture.at.iter().flat_map(|mapping| &mapping.innermost().arguments);
+                body.shared.insert(place.clone(), Sharing::at(&Point::of(values), self.scene));
+                place
+            }
             _ => at.to_owned(),
         };
-        let moved = self.moved(picture.at.as_deref(), &before, body, indent);
+        let moved = self.moved(picture.at.as_deref(), &before, [], body, indent);
         let at = match whole {
             Some(whole) if picture.fit != Fit::Mapping => fitted(&moved, whole),
             _ => Code::atom(moved),
@@ -144,22 +191,20 @@ impl Writer<'_> {
     pub fn textures(&mut self) -> Lines {
         let scene = self.scene;
         let mut reached = BTreeSet::new();
-        let shaping = scene.objects.iter().flat_map(|object| &object.arguments);
-        shaping.for_each(|value| reach(value, scene, &mut reached));
-        reach(&scene.background, scene, &mut reached);
+        let mut reach = |values: &[&Value]| called(&Point::of(values.iter().copied()), scene, &mut reached);
+        scene.objects.iter().for_each(|object| reach(&object.arguments.iter().collect::<Vec<_>>()));
+        reach(&[&scene.background]);
         if let Some(Measure::Texture(index)) = scene.measure {
-            reach(&Value::Texture(index), scene, &mut reached);
+            reach(&[&Value::Texture(index)]);
         }
         for material in &scene.materials {
-            let heights = material.bump.iter().map(|bump| &bump.height);
-            for value in material.properties.iter().map(|(_, value)| value).chain(heights) {
-                reach(value, scene, &mut reached);
-            }
+            reach(&material.properties.iter().map(|(_, value)| value).collect::<Vec<_>>());
+            material.bump.iter().for_each(|bump| reach(&[&bump.height]));
         }
         let mut lines = Lines::default();
         for index in reached {
             let texture = &scene.textures[index];
-            let mut body = Body::default();
+            let mut body = Body::of([&texture.value], scene);
             let value = self.value(&texture.value, "at", &mut body, 4);
             let ty = if texture.ty == Type::F32 { "f32" } else { "vec3f" };
             lines.push("");
@@ -171,36 +216,4 @@ impl Writer<'_> {
         }
         lines
     }
-}
-
-/// Adds the declared textures that `value` needs.
-fn reach(value: &Value, scene: &crate::ir::Scene, reached: &mut BTreeSet<usize>) {
-    match value {
-        Value::Const(_) | Value::Model(_) => {}
-        Value::Texture(index) => {
-            if reached.insert(*index) {
-                reach(&scene.textures[*index].value, scene, reached);
-            }
-        }
-        Value::Grey(inner) | Value::Luminance(inner) => reach(inner, scene, reached),
-        Value::Call(call) => reach_call(call, scene, reached),
-        Value::Ramp(ramp) => {
-            ramp.at.iter().for_each(|mapping| reach_call(mapping, scene, reached));
-            reach(&ramp.by, scene, reached);
-            ramp.stops.iter().for_each(|(_, stop)| reach(stop, scene, reached));
-        }
-        Value::Picture(picture) => {
-            picture.at.iter().for_each(|mapping| reach_call(mapping, scene, reached));
-            picture.under.iter().for_each(|under| reach(under, scene, reached));
-        }
-        Value::Triplanar(form) => {
-            form.at.iter().for_each(|mapping| reach_call(mapping, scene, reached));
-            reach(&form.of, scene, reached);
-        }
-    }
-}
-
-fn reach_call(call: &Call, scene: &crate::ir::Scene, reached: &mut BTreeSet<usize>) {
-    call.at.iter().for_each(|mapping| reach_call(mapping, scene, reached));
-    call.arguments.iter().for_each(|argument| reach(argument, scene, reached));
 }

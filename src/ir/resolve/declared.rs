@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::limits::MOST_TEXTURES;
 use super::{Resolver, Usage};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{Texture, Value};
@@ -16,6 +17,9 @@ impl<'a> Resolver<'a> {
             self.mismatch(written, "a map `{ \"name\": Texture() }`");
             return;
         };
+        if !self.allows(entries.len(), MOST_TEXTURES, "textures", &written.span) {
+            return;
+        }
         for (i, entry) in entries.iter().enumerate() {
             if let Some(first) = entries[..i].iter().find(|e| e.name.text == entry.name.text) {
                 let message = format!("texture \"{}\" is declared twice", entry.name.text);
@@ -29,6 +33,8 @@ impl<'a> Resolver<'a> {
                 resolver.declared_texture(&entry.name.text, &entry.name.span, Type::Vec3)
             });
         }
+        let place = |name: &str| entries.iter().find(|e| e.name.text == name).map(|e| e.name.span.clone());
+        self.check_textures(place);
     }
 
     /// The index of the texture declared as `name`, which `span` asks for, as the present use wants it.
@@ -54,12 +60,13 @@ impl<'a> Resolver<'a> {
         let new: Vec<_> = again.into_iter().filter(|problem| !self.problems.contains(problem)).collect();
         self.problems.extend(new);
         let texture = Texture { name: name.to_owned(), ..self.textures[plain].clone() };
-        let value = value?;
-        let variant = if value == texture.value {
-            plain
-        } else {
-            self.textures.push(Texture { ty: self.type_of(&value), value, ..texture });
-            self.textures.len() - 1
+        let variant = match value {
+            Some(value) if value != texture.value => {
+                self.textures.push(Texture { ty: self.type_of(&value), value, ..texture });
+                self.textures.len() - 1
+            }
+            // What is wrong has been reported.
+            _ => plain,
         };
         self.variants.insert(wanted, variant);
         Some(variant)
@@ -78,13 +85,19 @@ impl<'a> Resolver<'a> {
             self.error(span, message).help.push(format!("the circle is {}", circle.join(" → ")));
             return None;
         }
+        if self.broken.contains(name) {
+            return None;
+        }
         let written = *self.declared.get(name)?;
         let around = std::mem::take(&mut self.depends_on_usage);
         self.pending.push(name.to_owned());
         let value = self.wanted_for(Usage::Light, |resolver| resolver.declared_value(written, Type::Vec3));
         self.pending.pop();
         let depends = std::mem::replace(&mut self.depends_on_usage, around);
-        let value = value?;
+        let Some(value) = value else {
+            self.broken.insert(name.to_owned());
+            return None;
+        };
         self.textures.push(Texture { name: name.to_owned(), ty: self.type_of(&value), value });
         let index = self.textures.len() - 1;
         if depends {

@@ -78,6 +78,8 @@ impl<'a> Resolver<'a> {
         properties.extend(fields.color(self, "emission").map(|color| (Property::Emission, color)));
         let bump = fields.get("bump").and_then(|bump| self.bump(bump));
         fields.finish(self);
+        self.check_evaluations(&properties.iter().map(|(_, value)| value).collect::<Vec<_>>(), &written.span);
+        bump.iter().for_each(|bump| self.check_evaluations(&[&bump.height], &written.span));
         properties.sort_by_key(|(property, _)| *property);
         self.materials.push(Material { name: name.to_owned(), properties, bump });
         self.materials.len() - 1

@@ -5,6 +5,7 @@ mod declared;
 mod files;
 mod forms;
 mod lights;
+mod limits;
 mod materials;
 mod objects;
 mod options;
@@ -61,6 +62,8 @@ struct Resolver<'a> {
     pending: Vec<String>,
     /// Names of the textures that are made of themselves, and reported.
     circular: BTreeSet<String>,
+    /// Names of the textures that are wrong, and reported.
+    broken: BTreeSet<String>,
     /// What the value is wanted for that is being resolved.
     usage: Usage,
     /// Whether it would be another one, or a warning, for another use.
@@ -72,6 +75,8 @@ struct Resolver<'a> {
     usage_dependent: BTreeSet<usize>,
     /// What each of these is for other uses than light, and whether as a number.
     variants: BTreeMap<(usize, Usage, bool), usize>,
+    /// What textures cost.
+    cost: limits::Cost,
     materials: Vec<Material>,
     /// Indices of the materials that have a name.
     named_materials: BTreeMap<String, usize>,
@@ -87,6 +92,7 @@ impl<'a> Resolver<'a> {
             declared: BTreeMap::new(),
             pending: vec![],
             circular: BTreeSet::new(),
+            broken: BTreeSet::new(),
             usage: Usage::Light,
             depends_on_usage: false,
             images: vec![],
@@ -94,6 +100,7 @@ impl<'a> Resolver<'a> {
             textures: vec![],
             usage_dependent: BTreeSet::new(),
             variants: BTreeMap::new(),
+            cost: limits::Cost::default(),
             materials: vec![],
             named_materials: BTreeMap::new(),
         }
@@ -132,7 +139,11 @@ impl<'a> Resolver<'a> {
         self.resolve_materials(materials);
         let camera = self.camera(camera);
         let background = match background {
-            Some(value) => self.color(value),
+            Some(value) => {
+                let color = self.color(value);
+                self.check_evaluations(&[&color], &value.span);
+                color
+            }
             None => Value::Const(Const::Vec3(default_background)),
         };
         let ambient = ambient.map_or(default_ambient, |value| self.constant_color(value));

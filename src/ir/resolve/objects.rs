@@ -6,6 +6,7 @@ use std::ops::Range;
 use glam::{DAffine3, DVec3};
 
 use super::Resolver;
+use super::limits::{DEEPEST_SOLID, MOST_OBJECTS};
 use super::placement::into_space;
 use super::reader::Fields;
 use crate::diagnostic::Diagnostic;
@@ -13,9 +14,6 @@ use crate::ir::fields::{EVERY_OBJECT, EVERY_SOLID, Field, OPERATIONS};
 use crate::ir::{Body, Combination, Object, Operation, Solid, Value};
 use crate::library::Family;
 use crate::scene::{self, Kind, Name, Record};
-
-/// Uniform data and compile time grow with the objects of a scene that is written out.
-const MOST_OBJECTS: usize = 4096;
 
 /// The name of what the author gave none: `shape` at `index` among the parts of `around`, or among all
 /// objects.
@@ -38,6 +36,8 @@ struct Around<'a> {
     to_world: Option<DAffine3>,
     material: Option<usize>,
     inverted: bool,
+    /// In how many of them it lies.
+    depth: usize,
 }
 
 impl Resolver<'_> {
@@ -60,8 +60,7 @@ impl Resolver<'_> {
             self.mismatch(written, "a list of objects `[Sphere()]`");
             return (vec![], vec![]);
         };
-        if items.len() > MOST_OBJECTS {
-            self.error(&written.span, format!("{} objects: the most are {MOST_OBJECTS}", items.len()));
+        if !self.allows(count(items), MOST_OBJECTS, "objects and parts", &written.span) {
             return (vec![], vec![]);
         }
         let bodies =
@@ -77,7 +76,7 @@ impl Resolver<'_> {
         let bounds = fields.get("bounds").and_then(|bounds| self.bounds(bounds));
         let visible = fields.flag(self, "visible");
         let casts_shadow = fields.flag(self, "casts_shadow");
-        let around = Around { name: "", to_world: None, material: None, inverted: false };
+        let around = Around { name: "", to_world: None, material: None, inverted: false, depth: 0 };
         let (solid, to_world) = self.solid(written, shape, fields, index, around, found)?;
         Some(Body { solid, space: to_world.map(into_space), bounds, visible, casts_shadow })
     }
@@ -163,6 +162,9 @@ impl Resolver<'_> {
             true => around.to_world,
             false => Some(around.to_world.map_or(moved, |outer| outer * moved)),
         };
+        if shape.traits.is_distance {
+            self.check_evaluations(&arguments.iter().collect::<Vec<_>>(), &written.span);
+        }
         Some(Object {
             name: around.name.to_owned(),
             caption: self.words(written, &["name", "material"]),
@@ -207,6 +209,12 @@ impl Resolver<'_> {
             self.mismatch(parts, "a list of solids `[Box(), Sphere()]`");
             return None;
         };
+        if around.depth == DEEPEST_SOLID {
+            let message = format!("solids are nested more than {DEEPEST_SOLID} deep");
+            let advice = "a `Union` takes as many parts as you like: put these beside the others".into();
+            self.error(&written.span, message).help.push(advice);
+            return None;
+        }
         if items.is_empty() {
             self.error(&parts.span, "there are no parts");
             return None;
@@ -216,7 +224,7 @@ impl Resolver<'_> {
             let Some(shape) = self.named(item) else { continue };
             let fields = Fields::of(self, item, &format!("`{}` as a part", shape.text), &tables_of(shape));
             let cut = operation == Operation::Difference && i > 0;
-            let around = Around { inverted: around.inverted != cut, ..around };
+            let around = Around { inverted: around.inverted != cut, depth: around.depth + 1, ..around };
             let Some((solid, _)) = self.solid(item, shape, fields, i, around, found) else { continue };
             if let Solid::Object(index) = solid {
                 self.check_encloses(&found.objects[index], shape);
@@ -251,4 +259,18 @@ impl Resolver<'_> {
 fn tables_of(shape: &Name) -> Vec<&'static [Field]> {
     let operation = OPERATIONS.iter().find(|(known, _)| known.name == shape.text);
     [EVERY_SOLID].into_iter().chain(operation.map(|(group, _)| group.fields)).collect()
+}
+
+/// How many objects and parts there are, those in parts too.
+fn count(items: &[scene::Value]) -> usize {
+    let parts = |item: &scene::Value| match &item.kind {
+        Kind::Record(record) => {
+            record.fields.iter().find(|f| f.name.text == "parts").map_or(0, |f| match &f.value.kind {
+                Kind::List(parts) => count(parts),
+                _ => 0,
+            })
+        }
+        _ => 0,
+    };
+    items.iter().map(|item| 1 + parts(item)).sum()
 }

@@ -3,7 +3,7 @@
 //
 //   objects   Sphere 0, Box 1
 //   shapes    Sphere, Box
-//   textures  Noise, Wood
+//   textures  Wood, Noise
 
 const OBJECT_SPHERE_0: u32 = 0u;
 const OBJECT_BOX_1: u32 = 1u;
@@ -53,8 +53,19 @@ fn materialAt(object: u32, at: Surface) -> Material {
 }
 
 fn sphere0Material(at: Surface) -> Material {
-    var material = matte(boardTexture(at));
-    material.specular = grainTexture(at);
+    let shared1 = grainTexture(at);
+    var material = matte(
+        wood(
+            at,
+            6.0,
+            vec3f(1.0, 0.12, 0.06),
+            0.5,
+            0.4,
+            vec3f(0.57112485, 0.32314324, 0.12477182),
+            vec3f(shared1),
+        ),
+    );
+    material.specular = shared1;
     return material;
 }
 
