@@ -79,6 +79,54 @@ fn each_beginning_of_a_scene_is_told() {
     }
 }
 
+/// A texture that is made of the next one twice, over `depth` levels; `moved` moves one of the two.
+fn doubled(depth: usize, moved: bool) -> String {
+    let level = |i: usize| {
+        let (a, b) = (format!("\"t{}\"", i + 1), format!("Grey(of: \"t{}\", at: Translate())", i + 1));
+        format!("\"t{i}\": Blend(a: {a}, b: {}),", if moved { &b } else { &a })
+    };
+    let levels: String = (0..depth).map(level).collect();
+    format!("(textures: {{ {levels} \"t{depth}\": Noise() }}, objects: [Sphere(material: (color: \"t0\"))])")
+}
+
+#[test]
+fn a_texture_is_evaluated_once_at_a_point() {
+    let outcome = outcome_of("scenes/dag.ron", &doubled(25, false), Mode::Baked);
+    let compiled = outcome.compiled.unwrap_or_else(|| panic!("{}", outcome.report));
+    for i in 0..25 {
+        let calls = compiled.source.generated().matches(&format!("t{}Texture(at)", i + 1)).count();
+        assert_eq!(calls, 1, "texture {i}");
+    }
+}
+
+#[test]
+fn too_much_is_refused_by_counting() {
+    let nested = |depth: usize| {
+        let solid = (0..depth).fold("Sphere()".to_owned(), |s, _| format!("Union(parts: [{s}, Box()])"));
+        format!("(objects: [{solid}])")
+    };
+    let objects = |items: String| format!("(objects: [{items}])");
+    let triplanar = "Triplanar(of: ".repeat(20) + "Noise()" + &")".repeat(20);
+    for (text, message) in [
+        (doubled(25, true), "evaluates 134,217,725 textures at a point: the most are 512"),
+        (doubled(100, true), "evaluates at least 18,446,744,073,709,551,615 textures"),
+        (objects(format!("Sphere(material: (color: {triplanar}))")), "textures at a point"),
+        (nested(17), "solids are nested more than 16 deep"),
+        (nested(3000), "brackets are nested more than 120 deep"),
+        (objects("[".repeat(10_000)), "brackets are nested more than 120 deep"),
+        (objects("Sphere(),".repeat(4097)), "4,097 objects and parts: the most are 4,096"),
+        (objects("Sphere(),".repeat(10_001)), "10001 things in one list: the most are 10000"),
+        (objects("Sphere(center: (1, 2, 3)),".repeat(200_000)), "more than 200000 brackets"),
+        (format!("(lights: [{}], objects: [])", "Point(),".repeat(1025)), "1,025 lights: the most are 1,024"),
+    ] {
+        let report = outcome_of("scenes/much.ron", &text, Mode::Baked).report;
+        let problem = report.diagnostics.first().expect("it is refused");
+        assert!(problem.message.contains(message), "{message}\n{}", problem.message);
+        assert_eq!(report.diagnostics.len(), 1, "{message}");
+        assert!(!problem.labels.is_empty(), "{message}: no place");
+    }
+}
+
 /// `text` with one thing broken.
 fn mutation(random: &mut Random, text: &str) -> String {
     let at = text.floor_char_boundary(random.below(text.len()));
