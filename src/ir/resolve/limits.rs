@@ -14,7 +14,7 @@ pub const MOST_STOPS: usize = 1024;
 pub const DEEPEST_SOLID: usize = 16;
 
 /// How many textures may be evaluated at a point, and for all materials together. Drivers inline them all, and
-/// their compilers take more than linear time: a software driver about 2 minutes for 512 noises.
+/// take more than linear time: a software driver about 2 minutes for 512 noises.
 const MOST_AT_A_POINT: u64 = 512;
 const MOST_IN_ALL: u64 = 4096;
 
