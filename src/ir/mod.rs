@@ -6,7 +6,7 @@ pub mod fields;
 mod light;
 mod measure;
 mod parts;
-mod points;
+pub mod points;
 mod resolve;
 
 use std::sync::Arc;
@@ -15,7 +15,6 @@ use glam::Vec3;
 
 pub use light::{Light, LightKind};
 pub use measure::Measure;
-pub use points::Point;
 pub use resolve::{default_name, placed, resolve};
 
 use crate::library::{Const, Function, Image, Model, Type};

@@ -5,7 +5,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::ir::{Point, Scene, Value};
+use crate::ir::points::Point;
+use crate::ir::{Scene, Value};
 
 /// What becomes of the textures that are evaluated at one point.
 #[derive(Debug, Default)]

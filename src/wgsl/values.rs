@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::Writer;
 use super::code::{self, Code, Lines};
 use super::sharing::{Sharing, called};
-use crate::ir::{Call, Fit, Interpolation, Measure, Picture, Point, Ramp, Scene, Triplanar, Value};
+use crate::ir::points::Point;
+use crate::ir::{Call, Fit, Interpolation, Measure, Picture, Ramp, Scene, Triplanar, Value};
 use crate::library::{Const, Type};
 
 /// The statements before the expression that a function returns.

@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use super::Resolver;
-use crate::ir::{Point, Value};
+use crate::ir::Value;
+use crate::ir::points::Point;
 
 /// Uniform data and compile time grow with the objects of a scene that is written out.
 pub const MOST_OBJECTS: usize = 4096;
@@ -13,7 +14,7 @@ pub const MOST_STOPS: usize = 1024;
 /// A ray's way through a solid in a solid is a loop in a loop.
 pub const DEEPEST_SOLID: usize = 16;
 
-/// How many textures may be evaluated at a point, and for all materials together. Drivers inline them all, and
+/// How many textures may be evaluated at a point, and for all materials together. Drivers inline all, and
 /// take more than linear time: a software driver about 2 minutes for 512 noises.
 const MOST_AT_A_POINT: u64 = 512;
 const MOST_IN_ALL: u64 = 4096;
