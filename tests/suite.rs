@@ -287,7 +287,9 @@ fn lists_filters_and_wrong_calls() {
     assert_eq!(refused(&["empty"]), "raytoy: there is nothing to test: no scene, no texture, no shape\n");
     refused(&["--format", "yaml"]);
     refused(&["--jobs", "0"]);
-    assert!(refused(&["--adapter", "no such adapter"]).contains("none is called `no such adapter`"));
+    assert!(
+        refused(&["--adapter", "no such adapter"]).contains("no adapter has `no such adapter` in its name")
+    );
 }
 
 #[test]

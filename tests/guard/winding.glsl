@@ -1,7 +1,7 @@
-float winding(Surface at_1, uint count) {
+float winding(Surface at_2, uint count) {
     float x_1 = 0.0;
     uint i = 0u;
-    x_1 = at_1.uv.x;
+    x_1 = at_2.uv.x;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
