@@ -293,6 +293,20 @@ fn lists_filters_and_wrong_calls() {
 }
 
 #[test]
+fn goldens_that_cannot_be_read_are_said_and_blessed_anew() {
+    let Some(project) = Project::blessed() else { return };
+    let pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n";
+    project.write("scenes/ball.png", pointer);
+    std::fs::write(project.path().join("scenes/ball.wgsl"), [0xff, 0xfe, 0x00]).unwrap();
+    let told = project.test(&["scenes/ball.ron"]);
+    for golden in ["png", "wgsl"] {
+        assert!(said(&told).contains(&format!("cannot read `scenes/ball.{golden}`")), "{}", said(&told));
+    }
+    assert!(project.test(&["scenes/ball.ron", "--bless"]).status.success());
+    assert!(project.test(&["scenes/ball.ron"]).status.success());
+}
+
+#[test]
 fn programs_and_browsers_get_their_own_formats() {
     let Some(project) = Project::blessed() else { return };
     project.write("scenes/ball.ron", &BALL.replace("0.4)", "0.5)").replace("\"floor\"", "\"<b> & co\""));

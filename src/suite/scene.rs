@@ -85,7 +85,10 @@ impl Test<'_> {
     fn compare_text(&mut self, path: &Path, actual: &str) {
         let golden = match read_text(path) {
             Ok(golden) => golden,
-            Err(why) => return self.fail(Failure::Obstacle(unreadable(path, &why))),
+            Err(why) => {
+                let failure = Failure::Obstacle(unreadable(path, &why));
+                return self.fail_or_bless(failure, path, false, || actual.as_bytes().to_vec());
+            }
         };
         let failure = match &golden {
             None => Failure::Missing(path.into()),
@@ -106,7 +109,8 @@ impl Test<'_> {
         let golden = match read_picture(&path) {
             Ok(golden) => golden,
             Err(why) => {
-                self.fail(Failure::Obstacle(unreadable(&path, &why)));
+                let failure = Failure::Obstacle(unreadable(&path, &why));
+                self.fail_or_bless(failure, &target, !target.exists(), || png(&actual));
                 return Ok(());
             }
         };
