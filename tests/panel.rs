@@ -25,7 +25,7 @@ const RADIUS: [i16; 2] = [719, 399];
 const EMISSION: [i16; 2] = [740, 615];
 /// No widget.
 const BESIDE: [i16; 2] = [640, 328];
-const UNDO: [i16; 2] = [354, 15];
+const UNDO: [i16; 2] = [385, 15];
 const ONLY_TRY: [i16; 2] = [862, 15];
 
 const RED: [u8; 3] = [255, 0, 0];
