@@ -2,14 +2,17 @@
 //!
 //! In: messages from every room. Out: text for the terminal and the window, as codespan-reporting draws it.
 
+mod excerpt;
+
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
 use codespan_reporting::diagnostic as codespan;
-use codespan_reporting::files::SimpleFiles;
 use codespan_reporting::term;
+
+use excerpt::{Excerpts, Text};
 
 /// How bad it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -96,17 +99,15 @@ impl Report {
 
     /// The text of all problems, with escape codes for a terminal if `color`.
     pub fn render(&self, color: bool) -> String {
-        let mut files = SimpleFiles::new();
-        let ids: BTreeMap<&str, usize> = self
-            .texts
-            .iter()
-            .map(|(name, text)| (name.as_str(), files.add(name.as_str(), unmarked(text))))
-            .collect();
+        let files: Vec<Text> =
+            self.texts.iter().map(|(name, text)| Text::new(name, unmarked(text))).collect();
+        let ids: BTreeMap<&str, usize> = self.texts.keys().map(String::as_str).zip(0..).collect();
         let config = term::Config { tab_width: 4, ..term::Config::default() };
         let mut plain = String::new();
         let mut colored = codespan_reporting::term::termcolor::Buffer::ansi();
         for diagnostic in &self.diagnostics {
-            let drawn = draw(diagnostic, &ids, &self.texts);
+            let mut drawn = draw(diagnostic, &ids, &self.texts);
+            let files = Excerpts::of(&files, &mut drawn);
             // The only errors are of a file that is not there, which `draw` leaves out, and of the writer,
             // which is memory.
             if color {

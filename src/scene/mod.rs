@@ -66,6 +66,9 @@ pub struct Record {
     pub items: Vec<Value>,
 }
 
+/// The longest text that a message repeats.
+const LONGEST_QUOTE: usize = 40;
+
 impl Value {
     /// A group of fields that the author left out: it has none.
     pub fn left_out() -> Self {
@@ -99,6 +102,10 @@ impl Value {
             Kind::None => "`None`".into(),
             Kind::Bool(b) => format!("`{b}`"),
             Kind::Number(x) => format!("the number {x}"),
+            Kind::Text(text) if text.chars().count() > LONGEST_QUOTE => {
+                let start: String = text.chars().take(LONGEST_QUOTE).collect();
+                format!("the string \"{start}…\"")
+            }
             Kind::Text(text) => format!("the string \"{text}\""),
             Kind::Tuple(items) => format!("a vector of {}", items.len()),
             Kind::List(_) => "a list".into(),
