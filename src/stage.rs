@@ -2,9 +2,9 @@
 //!
 //! In: a compiled scene, and which of its materials. Out: another scene.
 
+use crate::compile::{Compiled, compile};
 use crate::diagnostic::Diagnostic;
 use crate::sources::Sources;
-use crate::{Compiled, compile};
 
 const STAGE: &str = r##"(
     camera: (eye: (0.5, 2.8, 6), target: (0.1, 0.75, 0), fov_deg: 34),

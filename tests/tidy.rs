@@ -7,7 +7,7 @@ use raytoy::library::{Family, Library};
 use raytoy::sources::Sources;
 
 /// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
-const IMPORTS: [(&str, &[&str]); 23] = [
+const IMPORTS: [(&str, &[&str]); 24] = [
     ("diagnostic", &[]),
     ("sources", &["diagnostic"]),
     ("scene", &["diagnostic"]),
@@ -18,18 +18,19 @@ const IMPORTS: [(&str, &[&str]); 23] = [
     ("outline", &["ir", "library", "scene"]),
     ("wgsl", &["ir", "library"]),
     ("module", &["wgsl", "diagnostic"]),
-    ("gpu", &["diagnostic", "ir", "wgsl", "library", "Compiled", "on_deep_stack"]),
-    ("export", &["gpu", "ir", "library", "module", "wgsl", "Compiled", "on_deep_stack"]),
-    ("capture", &["gpu", "Compiled"]),
-    ("stage", &["diagnostic", "sources", "Compiled", "compile"]),
+    ("gpu", &["compile", "diagnostic", "ir", "library", "wgsl"]),
+    ("export", &["compile", "gpu", "ir", "library", "module", "wgsl"]),
+    ("capture", &["compile", "gpu"]),
+    ("stage", &["compile", "diagnostic", "sources"]),
     ("watch", &["sources"]),
-    ("sketch", &["gpu", "ir", "library", "Compiled"]),
+    ("sketch", &["compile", "gpu", "ir", "library"]),
     ("judge", &[]),
-    ("difference", &["gpu", "judge", "scene", "wgsl", "Compiled", "on_deep_stack"]),
-    ("laws", &["diagnostic", "gpu", "library", "sources", "wgsl", "Compiled", "compile"]),
+    ("difference", &["compile", "gpu", "judge", "scene", "wgsl"]),
+    ("laws", &["compile", "diagnostic", "gpu", "library", "sources", "wgsl"]),
     (
         "suite",
         &[
+            "compile",
             "diagnostic",
             "difference",
             "gpu",
@@ -39,14 +40,13 @@ const IMPORTS: [(&str, &[&str]); 23] = [
             "scene",
             "sources",
             "wgsl",
-            "Compiled",
-            "compile",
         ],
     ),
     (
         "app",
         &[
             "capture",
+            "compile",
             "diagnostic",
             "difference",
             "edit",
@@ -60,11 +60,6 @@ const IMPORTS: [(&str, &[&str]); 23] = [
             "sources",
             "watch",
             "wgsl",
-            "Compiled",
-            "Outcome",
-            "compile",
-            "Times",
-            "on_deep_stack",
         ],
     ),
     (
@@ -72,6 +67,7 @@ const IMPORTS: [(&str, &[&str]); 23] = [
         &[
             "app",
             "capture",
+            "compile",
             "diagnostic",
             "difference",
             "export",
@@ -82,12 +78,10 @@ const IMPORTS: [(&str, &[&str]); 23] = [
             "sources",
             "suite",
             "wgsl",
-            "Compiled",
-            "Outcome",
-            "compile",
         ],
     ),
-    ("lib", &["diagnostic", "ir", "library", "module", "scene", "sources", "wgsl"]),
+    ("compile", &["diagnostic", "ir", "library", "module", "scene", "sources", "wgsl"]),
+    ("lib", &["compile"]),
 ];
 
 /// What only some rooms may name, and where.

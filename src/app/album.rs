@@ -6,8 +6,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
-use crate::Compiled;
 use crate::capture::{CaptureError, Format, Frames, MovieFormat, Shot, movie, still, write_file};
+use crate::compile::Compiled;
 use crate::gpu::{Gpu, Moment};
 
 /// What to take, and where to put it.

@@ -1,7 +1,7 @@
 //! A gathered picture as the window gets it: shown as light or values, with lines over it.
 
 use super::messages::{FORMAT, Look, Texels};
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::gpu::{Display, Gpu, GpuError, Light, Line, Lines, Target, Tracer, gizmo};
 
 /// What turns samples into a picture.

@@ -1,6 +1,6 @@
 //! What of a scene is to be seen: all, one body, or one material on a stage.
 
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::diagnostic::Diagnostic;
 
 /// The part of the scene that the author looks at.

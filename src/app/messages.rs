@@ -7,7 +7,7 @@ use super::Remote;
 use super::events::Change;
 use super::orders::Built;
 use super::thumbnails;
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::diagnostic::Report;
 use crate::gpu::{GpuError, Identity, Split, View};
 use crate::ir::Camera;

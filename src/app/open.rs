@@ -15,7 +15,7 @@ use super::panel::{CaptureDeed, Leaving, Panel};
 use super::screen::Frame;
 use super::settings::Memory;
 use super::trial::Trial;
-use crate::Compiled;
+use crate::compile::Compiled;
 
 /// What exists while the window does.
 pub struct Open {

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::events::Change;
 use super::focus::Focus;
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::diagnostic::Report;
 use crate::gpu::Pipeline;
 use crate::outline::Outline;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::messages::Picture;
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::diagnostic::{Diagnostic, Report};
 
 /// What to know of a scene's versions where a device is lost.

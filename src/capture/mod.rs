@@ -20,7 +20,7 @@ pub use frames::{Frames, Numbered, stills};
 pub use movie::{MovieFormat, movie};
 pub use origin::Origin;
 
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::gpu::{Gpu, GpuError, MOST_SIDE, Moment, Picture, PictureTimes, Renderer};
 
 /// The most pixels of a picture that memory must hold: an EXR file, or a frame of a movie.

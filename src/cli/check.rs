@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use super::args::CheckOptions;
 use super::{Failure, Result, print_report, sources_for};
+use crate::compile::{Outcome, compile};
 use crate::diagnostic::Report;
 use crate::library::{Family, Library, knot, name_of, sample};
 use crate::sources::{Disk, Sources};
 use crate::suite::is_settings;
 use crate::wgsl::Mode;
-use crate::{Outcome, compile};
 
 pub fn run(options: &CheckOptions) -> Result {
     let disk = super::disk(&options.root, &options.paths)?;

@@ -6,11 +6,11 @@ use super::args::{DiffFormat, DiffOptions};
 use super::render::with_progress;
 use super::scene::{bytes, origin};
 use super::{Failure, Result, print_report, print_result, write_output};
+use crate::compile::{Compiled, compile};
 use crate::difference::{self, Drawing, PictureDifference, SceneDifference};
 use crate::gpu::Gpu;
 use crate::sources::Disk;
 use crate::wgsl::Mode;
-use crate::{Compiled, compile};
 
 pub fn run(options: &DiffOptions) -> Result {
     let [old, new] = [&options.old, &options.new];

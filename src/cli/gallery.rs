@@ -6,7 +6,7 @@ use std::path::Path;
 use super::render::with_progress;
 use super::{Failure, Result, print_report, write_output};
 use crate::capture::jpeg;
-use crate::compile;
+use crate::compile::compile;
 use crate::gpu::{self, AdapterChoice, Gpu, Moment};
 use crate::library::{Family, Function, Library, Parameter, sample};
 use crate::sources::Sources;

@@ -24,12 +24,12 @@ use clap::{CommandFactory, Parser};
 
 use self::args::{Arguments, Command, RootOption};
 use crate::capture::write_file;
+use crate::compile::{Compiled, compile};
 use crate::diagnostic::{Report, Severity};
 use crate::gpu::GpuError;
 use crate::library::Family;
 use crate::sources::{Disk, Sources};
 use crate::wgsl::Mode;
-use crate::{Compiled, compile};
 
 /// Why a command did not do what it was asked for.
 pub enum Failure {

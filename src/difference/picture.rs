@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use image::{ImageFormat, Rgb, RgbImage};
 
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::gpu::{Gpu, GpuError, Identity, Moment, Picture, Renderer};
 use crate::judge::{Area, Broken, Change, Limits, Verdict, change, judge};
 

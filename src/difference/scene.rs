@@ -1,8 +1,8 @@
 //! What differs between two scenes: values, shader, picture.
 
 use super::{PictureDifference, ShaderDifference};
+use crate::compile::{Compiled, on_deep_stack};
 use crate::scene::{Change, changes, parse};
-use crate::{Compiled, on_deep_stack};
 
 /// How two scenes differ.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::text::{TextDifference, with_origin_of};
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::wgsl::{Mode, Section, generate};
 
 /// How the shaders of two scenes differ.

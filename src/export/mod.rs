@@ -12,8 +12,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 use self::standalone::Standalone;
+use crate::compile::{Compiled, on_deep_stack};
 use crate::wgsl::Host;
-use crate::{Compiled, on_deep_stack};
 
 /// What the shader is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use super::{Gpu, GpuError};
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::diagnostic::Report;
 
 /// The number of the loop that was ended, on the GPU, and what to tell of each loop.

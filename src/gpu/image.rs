@@ -8,7 +8,8 @@ use super::slices::{SLICE, Subject, draw_sample};
 use super::{
     Display, Gpu, GpuError, Identity, Light, Moment, Pace, Pipeline, Region, Target, Tracer, sample_offset,
 };
-use crate::{Compiled, ir};
+use crate::compile::Compiled;
+use crate::ir;
 
 /// The most pixels in a row or a column of a picture.
 pub const MOST_SIDE: u32 = 65_536;

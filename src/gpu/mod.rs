@@ -1,7 +1,7 @@
 //! The GPU: a device, a scene's pipeline, a picture that gathers samples, and what a screen shows of it.
 //!
-//! In: [`crate::Compiled`]. Out: pixels, or from a [`Probe`] single values. The only room that knows wgpu,
-//! the window's surface aside.
+//! In: [`crate::compile::Compiled`]. Out: pixels, or from a [`Probe`] single values. The only room that knows
+//! wgpu, the window's surface aside.
 
 mod adapters;
 mod assets;

@@ -6,7 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::assets::{Assets, check_models};
 use super::guard::Guard;
 use super::{Gpu, GpuError};
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::wgsl::Mode;
 
 /// The texture that a picture gathers in: linear light, and depth.
@@ -72,7 +72,7 @@ pub(super) fn check_numbers(gpu: &Gpu, compiled: &Compiled) -> Result<(), GpuErr
 /// What `make` makes, unless the driver has something against it.
 pub(super) fn checked<T: Send>(gpu: &Gpu, make: impl FnOnce() -> T + Send) -> Result<T, GpuError> {
     // Scopes belong to a thread, so they stand on the one that makes the pipeline.
-    crate::on_deep_stack(|| {
+    crate::compile::on_deep_stack(|| {
         let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let internal = gpu.device.push_error_scope(wgpu::ErrorFilter::Internal);
         // naga's writers panic at some text that naga's own check lets pass.

@@ -12,7 +12,7 @@ use super::guard::Guard;
 use super::pipeline::{self, checked};
 use super::uniforms::Frame;
 use super::{Gpu, GpuError, Moment};
-use crate::Compiled;
+use crate::compile::Compiled;
 
 /// A scene that can be asked. One whose text stays the same takes new numbers.
 #[derive(Debug)]

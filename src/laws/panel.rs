@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::{Problem, World};
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::gpu::{Gpu, Moment, Probe, SurfacePoint};
 use crate::wgsl::Mode;
 

@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::compile::{Compiled, compile};
 use crate::diagnostic::Report;
 use crate::library::knot;
 use crate::sources::{Disk, Sources};
 use crate::wgsl::Mode;
-use crate::{Compiled, compile};
 
 /// Where scenes look for names: on this machine or in memory.
 #[derive(Clone, Debug, Default)]

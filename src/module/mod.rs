@@ -44,7 +44,7 @@ impl Module {
     }
 }
 
-/// Parses and validates `source`. Needs a deep stack: see [`crate::on_deep_stack`].
+/// Parses and validates `source`. Needs a deep stack: see [`crate::compile::on_deep_stack`].
 ///
 /// # Errors
 /// The first mistake that naga finds, at its place in a file of the author's or of ours.

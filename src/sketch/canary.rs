@@ -5,7 +5,7 @@
 use std::time::Duration;
 
 use super::Sketch;
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::gpu::{Frame, Moment};
 
 /// Of what a screen shows, 0 to 1: far more than the last digits of a driver's own functions change.

@@ -20,7 +20,7 @@ pub use self::lower::Unsupported;
 use self::lower::unsupported;
 use self::machine::{Inputs, Machine};
 use self::program::{Program, SIDE};
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::gpu::Frame;
 use crate::library::Model;
 

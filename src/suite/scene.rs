@@ -7,12 +7,12 @@ use std::time::Instant;
 use super::goldens::{read_picture, read_text, write};
 use super::settings::{Settings, settings_for};
 use super::{Case, Failure, Goldens, Outcome};
+use crate::compile::{Compiled, compile};
 use crate::difference::{PictureDifference, TextDifference, png, rgb, with_origin_of};
 use crate::gpu::{Gpu, GpuError, Moment, Renderer};
 use crate::judge::judge;
 use crate::sources::{Disk, Sources};
 use crate::wgsl::Mode;
-use crate::{Compiled, compile};
 
 /// What all tests of a run share.
 #[derive(Clone, Debug)]

@@ -14,6 +14,7 @@ use super::events::Change;
 use super::focus::Focus;
 use super::orders::{Built, Order, Version};
 use super::trial::Trial;
+use crate::compile::{Compiled, compile, on_deep_stack};
 use crate::diagnostic::{Diagnostic, Report};
 use crate::gpu::Gpu;
 use crate::ir::Measure;
@@ -23,7 +24,6 @@ use crate::scene;
 use crate::sources::Disk;
 use crate::watch::Watcher;
 use crate::wgsl::Mode;
-use crate::{Compiled, compile, on_deep_stack};
 
 /// Starts the thread; each result goes to `done`. What `trial` has found of versions on other devices counts.
 pub fn start(gpu: Gpu, disk: Disk, trial: Trial, done: impl Fn(Built) + Send + 'static) -> Sender<Order> {

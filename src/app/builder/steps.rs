@@ -8,9 +8,9 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use super::Builder;
-use crate::Compiled;
 use crate::app::events::Change;
 use crate::app::orders::{Built, Version};
+use crate::compile::Compiled;
 use crate::diagnostic::{Diagnostic, Report};
 use crate::gpu::Pipeline;
 use crate::sketch::Sketch;

@@ -3,8 +3,8 @@
 use std::time::{Duration, Instant};
 
 use super::{Painter, SAMPLES};
-use crate::Compiled;
 use crate::app::messages::{Look, Notice, Picture};
+use crate::compile::Compiled;
 use crate::gpu::{GpuError, Moment, Region, Survey, Tracer, sample_offset};
 
 /// On a device of its own the painter lets the window show a picture first, but waits no longer than this.

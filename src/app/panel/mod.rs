@@ -49,7 +49,7 @@ use super::messages::{Clock, Look, Picture, Slow};
 use super::orders::Order;
 use super::settings::{self, Settings};
 use super::thumbnails;
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::diagnostic::Report;
 use crate::gpu::View;
 use crate::ir::Camera;

@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::compile::{Compiled, compile};
 use crate::diagnostic::Report;
 use crate::library::{Family, Function, Library, sample};
 use crate::outline::{self, Role};
 use crate::sources::Disk;
 use crate::wgsl::Mode;
-use crate::{Compiled, compile};
 
 /// Something that has a picture.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

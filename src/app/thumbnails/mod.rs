@@ -17,7 +17,7 @@ use egui::ColorImage;
 
 pub use self::catalog::{Definition, Item, Subject, catalog};
 use self::store::Store;
-use crate::Compiled;
+use crate::compile::Compiled;
 use crate::gpu::{AdapterChoice, Gpu, GpuError, Moment, Picture, Renderer};
 use crate::sources::Disk;
 
@@ -212,7 +212,7 @@ fn digest(compiled: &Compiled, size: [u32; 2]) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compile;
+    use crate::compile::compile;
     use crate::sources::Sources;
     use crate::wgsl::Mode;
 

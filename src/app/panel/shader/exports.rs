@@ -12,8 +12,8 @@ use egui::{Button, RichText, Ui};
 use super::super::Panel;
 use super::super::scenes::stem;
 use super::listing;
-use crate::Compiled;
 use crate::capture::write_file;
+use crate::compile::Compiled;
 use crate::export::{Export, Language, export};
 
 /// How often it is looked for what a thread has made.

@@ -4,8 +4,8 @@
 
 use std::sync::Arc;
 
-use crate::Compiled;
 use crate::app::focus::Focus;
+use crate::compile::Compiled;
 use crate::difference::{Hunk, TextDifference, with_origin_of};
 use crate::ir::Scene;
 use crate::wgsl::{Mode, generate};

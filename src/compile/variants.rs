@@ -1,0 +1,74 @@
+//! Other texts of a scene that is compiled: fewer objects, another way of numbers, more entry points.
+//!
+//! In: [`Compiled`]. Out: another.
+
+use super::{Compiled, on_deep_stack};
+use crate::diagnostic::Diagnostic;
+use crate::wgsl::{self, Mode, Source};
+use crate::{ir, module};
+
+impl Compiled {
+    /// The same scene with its numbers in the other `mode`.
+    ///
+    /// # Errors
+    /// Where naga refuses that text although it took the other, which would be a mistake of ours.
+    pub fn in_mode(&self, mode: Mode) -> Result<Self, Diagnostic> {
+        self.with_scene(self.scene.clone(), mode)
+    }
+
+    /// The same scene as [`wgsl::generate_plain`] writes it: no debug views, and all numbers as literals.
+    ///
+    /// # Errors
+    /// Where naga refuses that text although it took the whole, which would be a mistake of ours.
+    pub fn plain(&self) -> Result<Self, Diagnostic> {
+        self.with_source(self.scene.clone(), wgsl::generate_plain(&self.scene))
+    }
+
+    /// The same scene in which only the body that has this one of its objects is seen and casts a shadow.
+    /// Lights, camera and background stay, and so do all indices.
+    ///
+    /// # Errors
+    /// Where naga refuses that text although it took the whole scene's, which would be a mistake of ours.
+    pub fn isolated(&self, object: usize) -> Result<Self, Diagnostic> {
+        let mut scene = self.scene.clone();
+        for body in &mut scene.bodies {
+            let is_chosen = body.solid.has(object);
+            body.visible = is_chosen;
+            body.casts_shadow = is_chosen;
+        }
+        self.with_scene(scene, self.source.mode)
+    }
+
+    /// The same scene with a number for the debug view `value`.
+    ///
+    /// # Errors
+    /// Where naga refuses that text although it took the other, since a file of the author's has a function
+    /// of the same name.
+    pub fn measuring(&self, measure: ir::Measure) -> Result<Self, Diagnostic> {
+        let scene = ir::Scene { measure: Some(measure), ..self.scene.clone() };
+        self.with_scene(scene, self.source.mode)
+    }
+
+    /// Whether `other` needs no other pipeline than this one, where both have their numbers as data.
+    pub fn has_structure_of(&self, other: &Self) -> bool {
+        self.source.sections == other.source.sections && self.scene.has_files_of(&other.scene)
+    }
+
+    pub(crate) fn with_scene(&self, scene: ir::Scene, mode: Mode) -> Result<Self, Diagnostic> {
+        let source = wgsl::generate(&scene, mode);
+        self.with_source(scene, source)
+    }
+
+    fn with_source(&self, scene: ir::Scene, source: Source) -> Result<Self, Diagnostic> {
+        let module = on_deep_stack(|| module::validate(&source))?;
+        Ok(Self { text: self.text.clone(), scene, source, module, times: self.times })
+    }
+
+    /// The same scene with the entry points by which a [`gpu::Probe`] asks it.
+    ///
+    /// # Errors
+    /// Where naga refuses them, since a file of the author's has a function of the same name.
+    pub fn probed(&self) -> Result<Self, Diagnostic> {
+        self.with_source(self.scene.clone(), self.source.clone().with_probe())
+    }
+}
