@@ -25,6 +25,7 @@ pub mod diagnostic;
 pub mod difference;
 pub mod edit;
 pub mod export;
+mod files;
 pub mod gpu;
 pub mod ir;
 pub mod judge;

@@ -7,7 +7,7 @@ use raytoy::library::{Family, Library};
 use raytoy::sources::Sources;
 
 /// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
-const IMPORTS: [(&str, &[&str]); 24] = [
+const IMPORTS: [(&str, &[&str]); 25] = [
     ("diagnostic", &[]),
     ("sources", &["diagnostic"]),
     ("scene", &["diagnostic"]),
@@ -20,7 +20,8 @@ const IMPORTS: [(&str, &[&str]); 24] = [
     ("module", &["wgsl", "diagnostic"]),
     ("gpu", &["compile", "diagnostic", "ir", "library", "wgsl"]),
     ("export", &["compile", "gpu", "ir", "library", "module", "wgsl"]),
-    ("capture", &["compile", "gpu"]),
+    ("files", &[]),
+    ("capture", &["compile", "files", "gpu"]),
     ("stage", &["compile", "diagnostic", "sources"]),
     ("watch", &["sources"]),
     ("sketch", &["compile", "gpu", "ir", "library"]),
@@ -51,6 +52,7 @@ const IMPORTS: [(&str, &[&str]); 24] = [
             "difference",
             "edit",
             "export",
+            "files",
             "gpu",
             "ir",
             "library",
@@ -71,6 +73,7 @@ const IMPORTS: [(&str, &[&str]); 24] = [
             "diagnostic",
             "difference",
             "export",
+            "files",
             "gpu",
             "ir",
             "library",
@@ -92,7 +95,7 @@ const RESERVED: [(&str, &[&str]); 9] = [
     ("notify::", &["watch"]),
     ("clap::", &["cli"]),
     ("png::", &["capture"]),
-    ("std::fs", &["sources", "suite", "app", "capture", "cli", "watch", "build"]),
+    ("std::fs", &["sources", "files", "suite", "app", "capture", "cli", "watch", "build"]),
     ("println!", &["cli", "build"]),
     // One line in gpu: an error that slips through all scopes has nowhere else to go.
     ("eprintln!", &["cli", "gpu/device"]),

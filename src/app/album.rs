@@ -6,8 +6,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
-use crate::capture::{CaptureError, Format, Frames, MovieFormat, Shot, movie, still, write_file};
+use crate::capture::{CaptureError, Format, Frames, MovieFormat, Shot, movie, still};
 use crate::compile::Compiled;
+use crate::files::write_file;
 use crate::gpu::{Gpu, Moment};
 
 /// What to take, and where to put it.

@@ -4,8 +4,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::capture::write_file;
 use crate::edit::{Conflict, Edit, History, Refusal};
+use crate::files::write_file;
 
 /// A scene's text between the panel and the file. It has none until the file was read once.
 pub struct Document {

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use winit::window::Window;
 
 use super::bookmarks::{Bookmark, Bookmarks};
-use crate::capture::write_file;
+use crate::files::write_file;
 
 /// Scenes that are remembered.
 const RECENT: usize = 12;

@@ -3,7 +3,8 @@
 use std::ops::{ControlFlow, Range};
 use std::path::{Path, PathBuf};
 
-use super::{CaptureError, Format, Shot, write_file};
+use super::{CaptureError, Format, Shot};
+use crate::files::write_file;
 use crate::gpu::{Moment, PictureTimes};
 
 /// Moments at the same distance from each other.

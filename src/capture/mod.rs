@@ -5,7 +5,6 @@
 //! and may stop it.
 
 mod encode;
-mod files;
 mod frames;
 mod movie;
 mod origin;
@@ -15,7 +14,6 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 pub use encode::jpeg;
-pub use files::{write_file, write_file_with};
 pub use frames::{Frames, Numbered, stills};
 pub use movie::{MovieFormat, movie};
 pub use origin::Origin;

@@ -8,8 +8,8 @@ use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::Duration;
 
-use super::files::Draft;
 use super::{CaptureError, Frames, Shot, extension};
+use crate::files::Draft;
 use crate::gpu::PictureTimes;
 
 /// The file formats of a movie.

@@ -23,9 +23,9 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser};
 
 use self::args::{Arguments, Command, RootOption};
-use crate::capture::write_file;
 use crate::compile::{Compiled, compile};
 use crate::diagnostic::{Report, Severity};
+use crate::files::write_file;
 use crate::gpu::GpuError;
 use crate::library::Family;
 use crate::sources::{Disk, Sources};

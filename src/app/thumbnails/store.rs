@@ -9,7 +9,8 @@ use std::sync::Arc;
 use egui::ColorImage;
 
 use super::Subject;
-use crate::capture::{jpeg, write_file};
+use crate::capture::jpeg;
+use crate::files::write_file;
 use crate::gpu::Picture;
 
 /// Files that the folder may hold; the oldest go first.

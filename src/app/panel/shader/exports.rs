@@ -12,9 +12,9 @@ use egui::{Button, RichText, Ui};
 use super::super::Panel;
 use super::super::scenes::stem;
 use super::listing;
-use crate::capture::write_file;
 use crate::compile::Compiled;
 use crate::export::{Export, Language, export};
+use crate::files::write_file;
 
 /// How often it is looked for what a thread has made.
 const BEAT: Duration = Duration::from_millis(50);
