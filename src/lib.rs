@@ -26,6 +26,7 @@ pub mod difference;
 pub mod edit;
 pub mod export;
 mod files;
+pub mod frame;
 pub mod gpu;
 pub mod ir;
 pub mod judge;

@@ -4,7 +4,8 @@ mod common;
 mod reference;
 
 use common::{expect_compiled, expect_none, outcome_of, picture, read};
-use raytoy::gpu::{Gpu, Identity, Moment, Pipeline, View};
+use raytoy::frame::{Moment, View};
+use raytoy::gpu::{Gpu, Identity, Pipeline};
 use raytoy::wgsl::Mode;
 
 /// The share of pixels that must agree; edges that round the other way, and what mirrors make of them, may not.

@@ -3,7 +3,8 @@
 mod common;
 
 use common::{expect_compiled, expect_none, outcome_of};
-use raytoy::gpu::{Gpu, Moment, render};
+use raytoy::frame::Moment;
+use raytoy::gpu::{Gpu, render};
 use raytoy::wgsl::Mode;
 
 const SIZE: [usize; 2] = [96, 72];

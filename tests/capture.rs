@@ -10,7 +10,8 @@ use std::process::{Command, Output, Stdio};
 use common::{check_text, expect_compiled};
 use raytoy::Compiled;
 use raytoy::capture::{self, CaptureError, Format, Frames, MovieFormat, Numbered, Origin, Shot};
-use raytoy::gpu::{AdapterChoice, Gpu, Moment, View};
+use raytoy::frame::{Moment, View};
+use raytoy::gpu::{AdapterChoice, Gpu};
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 

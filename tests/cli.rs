@@ -8,7 +8,8 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 use common::{check_text, expect_none, files, root};
-use raytoy::gpu::{Moment, Renderer, Split, View};
+use raytoy::frame::{Moment, Split, View};
+use raytoy::gpu::Renderer;
 use raytoy::wgsl::Mode;
 
 #[test]

@@ -20,7 +20,7 @@ use naga::BinaryOperator;
 use naga::Expression::Binary;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use raytoy::export::{Export, ExportError, Language, export};
-use raytoy::gpu::View;
+use raytoy::frame::View;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 use raytoy::{Compiled, Outcome};
@@ -205,7 +205,7 @@ fn a_plain_host_gathers_samples_as_raytoy_does() {
         let (size, samples) = ([96, 54], 5);
         let (text, texels) = standalone(&compiled);
         let drawn = host::many_samples(gpu, &text, &texels, size, samples);
-        let moment = raytoy::gpu::Moment::of(&compiled.scene);
+        let moment = raytoy::frame::Moment::of(&compiled.scene);
         let raytoy =
             raytoy::gpu::render(gpu, &compiled, &moment, size, samples, &mut |_| ()).expect("it draws");
         assert_eq!(host::difference(&drawn, &raytoy.rgba), None, "{name}");

@@ -4,7 +4,7 @@ mod common;
 
 use common::{expect_compiled, expect_none, files, is_blessing, outcome, picture, read, root};
 use raytoy::difference::rgb;
-use raytoy::gpu::View;
+use raytoy::frame::View;
 use raytoy::judge::{Limits, Verdict, judge};
 use raytoy::sources::{Disk, Sources};
 use raytoy::suite::{Bench, Goldens, Run, find, html, human, run};

@@ -7,7 +7,8 @@ use std::path::Path;
 
 use glam::Vec4;
 use image::{DynamicImage, ImageBuffer, ImageFormat, Luma, Rgb, RgbImage, Rgba, RgbaImage};
-use raytoy::gpu::{self, Moment};
+use raytoy::frame::Moment;
+use raytoy::gpu;
 use raytoy::library::{Channel, Image, Reading};
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;

@@ -4,7 +4,8 @@ mod common;
 
 use common::{expect_compiled, outcome_of};
 use glam::{Vec2, Vec3};
-use raytoy::gpu::{Moment, Probe, Ray, SurfacePoint};
+use raytoy::frame::Moment;
+use raytoy::gpu::{Probe, Ray, SurfacePoint};
 use raytoy::wgsl::Mode;
 
 const SCENE: &str = "(objects: [

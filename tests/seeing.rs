@@ -11,7 +11,8 @@ mod views;
 use common::{expect_compiled, expect_none, outcome, outcome_of};
 use glam::{Vec2, Vec3, vec2};
 use raytoy::Compiled;
-use raytoy::gpu::{Gpu, Identity, Lens, Moment, Picture, Pipeline, Probe, Ray, View};
+use raytoy::frame::{Lens, Moment, View};
+use raytoy::gpu::{Gpu, Identity, Picture, Pipeline, Probe, Ray};
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 

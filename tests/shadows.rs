@@ -10,7 +10,8 @@ use std::ops::ControlFlow;
 
 use common::{expect_compiled, expect_none, outcome_of};
 use raytoy::Compiled;
-use raytoy::gpu::{Gpu, Moment, Renderer, View};
+use raytoy::frame::{Moment, View};
+use raytoy::gpu::{Gpu, Renderer};
 use raytoy::wgsl::Mode;
 use reference::Scene;
 

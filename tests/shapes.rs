@@ -4,7 +4,8 @@ mod common;
 mod reference;
 
 use common::{expect_compiled, expect_none, outcome_of};
-use raytoy::gpu::{Gpu, Moment, Picture, View, render};
+use raytoy::frame::{Moment, View};
+use raytoy::gpu::{Gpu, Picture, render};
 use raytoy::wgsl::Mode;
 
 /// A shape with arguments, and a point inside it, or beside its middle where it has no inside.

@@ -8,7 +8,8 @@ use std::time::Duration;
 use common::{expect_compiled, expect_none, good_scenes, gpu, outcome, outcome_of};
 use raytoy::Compiled;
 use raytoy::capture::SAMPLE;
-use raytoy::gpu::{Frame, Moment, Renderer, View};
+use raytoy::frame::{FrameUniforms, Moment, View};
+use raytoy::gpu::Renderer;
 use raytoy::sketch::{Sketch, canary};
 use raytoy::wgsl::Mode;
 
@@ -24,7 +25,7 @@ const MOST: f64 = 0.99;
 fn sketched(compiled: &Compiled, moment: &Moment) -> Vec<[f32; 4]> {
     let sketch = Sketch::new(compiled).unwrap_or_else(|why| panic!("{}: {why}", compiled.scene.name));
     let scene = &compiled.scene;
-    let frame = Frame::new(moment, &scene.render, scene.casters(), SIZE, 0, [0.0; 2]);
+    let frame = FrameUniforms::new(moment, &scene.render, scene.casters(), SIZE, 0, [0.0; 2]);
     sketch.draw(&frame, FOR_EVER).expect("there is time")
 }
 
@@ -299,7 +300,7 @@ fn it_goes_every_way_that_wgsl_has() {
 fn one_that_takes_too_long_is_given_up() {
     let compiled = expect_compiled(outcome_of("ball.ron", "(objects: [Sphere()])", Mode::Baked));
     let moment = Moment::of(&compiled.scene);
-    let frame = Frame::new(&moment, &compiled.scene.render, 1, SIZE, 0, [0.0; 2]);
+    let frame = FrameUniforms::new(&moment, &compiled.scene.render, 1, SIZE, 0, [0.0; 2]);
     let sketch = Sketch::new(&compiled).expect("raytoy's own files can be drawn");
     assert!(sketch.draw(&frame, Duration::ZERO).is_err());
     assert!(sketch.draw(&frame, FOR_EVER).is_ok());
@@ -313,7 +314,8 @@ fn an_endless_loop_of_the_authors_ends_with_the_time() {
         .with("endless.ron", "(objects: [Sphere(material: (color: Endless()))])")
         .with("textures/endless.wgsl", snippet);
     let compiled = expect_compiled(raytoy::compile(&sources, "endless.ron".as_ref(), Mode::Baked, None));
-    let frame = Frame::new(&Moment::of(&compiled.scene), &compiled.scene.render, 1, SIZE, 0, [0.0; 2]);
+    let frame =
+        FrameUniforms::new(&Moment::of(&compiled.scene), &compiled.scene.render, 1, SIZE, 0, [0.0; 2]);
     let sketch = Sketch::new(&compiled).expect("a loop can be drawn");
     assert!(sketch.draw(&frame, Duration::from_millis(50)).is_err());
 }

@@ -3,7 +3,8 @@
 mod common;
 
 use common::{expect_compiled, expect_none, outcome_of};
-use raytoy::gpu::{Gpu, Moment, Picture, View, render};
+use raytoy::frame::{Moment, View};
+use raytoy::gpu::{Gpu, Picture, render};
 use raytoy::wgsl::Mode;
 
 /// A scene's objects, others that are the same body, and the share of pixels in which they agree.

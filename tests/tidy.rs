@@ -7,7 +7,7 @@ use raytoy::library::{Family, Library};
 use raytoy::sources::Sources;
 
 /// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
-const IMPORTS: [(&str, &[&str]); 25] = [
+const IMPORTS: [(&str, &[&str]); 26] = [
     ("diagnostic", &[]),
     ("sources", &["diagnostic"]),
     ("scene", &["diagnostic"]),
@@ -18,22 +18,24 @@ const IMPORTS: [(&str, &[&str]); 25] = [
     ("outline", &["ir", "library", "scene"]),
     ("wgsl", &["ir", "library"]),
     ("module", &["wgsl", "diagnostic"]),
-    ("gpu", &["compile", "diagnostic", "ir", "library", "wgsl"]),
-    ("export", &["compile", "gpu", "ir", "library", "module", "wgsl"]),
+    ("frame", &["ir", "library"]),
+    ("gpu", &["compile", "diagnostic", "frame", "ir", "library", "wgsl"]),
+    ("export", &["compile", "frame", "ir", "library", "module", "wgsl"]),
     ("files", &[]),
-    ("capture", &["compile", "files", "gpu"]),
+    ("capture", &["compile", "files", "frame", "gpu"]),
     ("stage", &["compile", "diagnostic", "sources"]),
     ("watch", &["sources"]),
-    ("sketch", &["compile", "gpu", "ir", "library"]),
+    ("sketch", &["compile", "frame", "ir", "library"]),
     ("judge", &[]),
-    ("difference", &["compile", "gpu", "judge", "scene", "wgsl"]),
-    ("laws", &["compile", "diagnostic", "gpu", "library", "sources", "wgsl"]),
+    ("difference", &["compile", "frame", "gpu", "judge", "scene", "wgsl"]),
+    ("laws", &["compile", "diagnostic", "frame", "gpu", "library", "sources", "wgsl"]),
     (
         "suite",
         &[
             "compile",
             "diagnostic",
             "difference",
+            "frame",
             "gpu",
             "judge",
             "laws",
@@ -53,6 +55,7 @@ const IMPORTS: [(&str, &[&str]); 25] = [
             "edit",
             "export",
             "files",
+            "frame",
             "gpu",
             "ir",
             "library",
@@ -74,6 +77,7 @@ const IMPORTS: [(&str, &[&str]); 25] = [
             "difference",
             "export",
             "files",
+            "frame",
             "gpu",
             "ir",
             "library",

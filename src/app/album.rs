@@ -9,7 +9,8 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use crate::capture::{CaptureError, Format, Frames, MovieFormat, Shot, movie, still};
 use crate::compile::Compiled;
 use crate::files::write_file;
-use crate::gpu::{Gpu, Moment};
+use crate::frame::Moment;
+use crate::gpu::Gpu;
 
 /// What to take, and where to put it.
 pub struct Order {

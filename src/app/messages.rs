@@ -9,7 +9,8 @@ use super::orders::Built;
 use super::thumbnails;
 use crate::compile::Compiled;
 use crate::diagnostic::Report;
-use crate::gpu::{GpuError, Identity, Split, View};
+use crate::frame::{Split, View};
+use crate::gpu::{GpuError, Identity};
 use crate::ir::Camera;
 use crate::outline::Outline;
 

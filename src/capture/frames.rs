@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use super::{CaptureError, Format, Shot};
 use crate::files::write_file;
-use crate::gpu::{Moment, PictureTimes};
+use crate::frame::Moment;
+use crate::gpu::PictureTimes;
 
 /// Moments at the same distance from each other.
 #[derive(Clone, Debug, PartialEq)]

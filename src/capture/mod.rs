@@ -19,7 +19,8 @@ pub use movie::{MovieFormat, movie};
 pub use origin::Origin;
 
 use crate::compile::Compiled;
-use crate::gpu::{Gpu, GpuError, MOST_SIDE, Moment, Picture, PictureTimes, Renderer};
+use crate::frame::Moment;
+use crate::gpu::{Gpu, GpuError, MOST_SIDE, Picture, PictureTimes, Renderer};
 
 /// The most pixels of a picture that memory must hold: an EXR file, or a frame of a movie.
 const MOST_AT_ONCE: u64 = 1 << 26;

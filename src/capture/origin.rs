@@ -4,7 +4,7 @@ use std::io::Cursor;
 use std::path::Path;
 
 use super::Shot;
-use crate::gpu::{Moment, View};
+use crate::frame::{Moment, View};
 
 /// The scene, and what else makes the picture.
 #[derive(Clone, Debug, PartialEq, Eq)]

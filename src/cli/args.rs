@@ -1,13 +1,13 @@
 //! What can be asked for on the command line.
 
-use std::ops::Range;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::words::{adapter, frames, language, rate, reach, share, size, time, view};
 use crate::export::Language;
-use crate::gpu::{AdapterChoice, View};
+use crate::frame::View;
+use crate::gpu::AdapterChoice;
 
 /// A playground for procedural, ray-traced scenes.
 #[derive(Parser)]
@@ -130,7 +130,7 @@ pub struct RenderOptions {
     pub time: f32,
     /// Draw the frames FROM to TO - 1; frame n shows the scene at n / fps seconds
     #[arg(long, value_name = "FROM..TO", conflicts_with = "time", value_parser = frames)]
-    pub frames: Option<Range<u32>>,
+    pub frames: Option<std::ops::Range<u32>>,
     /// Frames a second
     #[arg(long, value_name = "N", default_value_t = 30.0, requires = "frames", value_parser = rate)]
     pub fps: f64,

@@ -5,7 +5,8 @@
 use std::ops::Range;
 
 use crate::export::Language;
-use crate::gpu::{AdapterChoice, MOST_SIDE, View};
+use crate::frame::View;
+use crate::gpu::{AdapterChoice, MOST_SIDE};
 
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     let parsed = text.split_once(['x', 'X']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));

@@ -5,7 +5,8 @@ use std::ops::ControlFlow;
 use image::{ImageFormat, Rgb, RgbImage};
 
 use crate::compile::Compiled;
-use crate::gpu::{Gpu, GpuError, Identity, Moment, Picture, Renderer};
+use crate::frame::Moment;
+use crate::gpu::{Gpu, GpuError, Identity, Picture, Renderer};
 use crate::judge::{Area, Broken, Change, Limits, Verdict, change, judge};
 
 /// Two pictures of one size, and how far they are apart.

@@ -4,7 +4,7 @@
 
 use naga::{GlobalVariable, ImageClass, Module, ResourceBinding, ScalarKind, TypeInner};
 
-use crate::gpu::{SAMPLER_BINDING, Texels, texels};
+use crate::frame::{SAMPLER_BINDING, Texels, texels};
 use crate::ir::Scene;
 
 /// A file of texels, and what a host binds them to.

@@ -7,7 +7,7 @@ use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
 use super::beside::Beside;
 use super::{ExportError, head};
-use crate::gpu::{Frame, Moment};
+use crate::frame::{FrameUniforms, Moment};
 use crate::ir::Scene;
 use crate::library::Const;
 use crate::module::validate;
@@ -46,7 +46,7 @@ impl Standalone {
 
 /// What the scene says of the fields of shaders/frame.wgsl, for a picture one pixel high.
 pub fn settings(scene: &Scene) -> [(&'static str, Const); 7] {
-    let frame = Frame::new(&Moment::of(scene), &scene.render, 0, [1, 1], 0, [0.0; 2]);
+    let frame = FrameUniforms::new(&Moment::of(scene), &scene.render, 0, [1, 1], 0, [0.0; 2]);
     [
         ("eye", Const::Vec3(frame.eye.into())),
         ("right", Const::Vec3(frame.right.into())),

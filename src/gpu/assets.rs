@@ -1,7 +1,7 @@
 //! What a scene takes from files, on the GPU: images and models, all as textures.
 
-use super::texels::{MODELS_ROW, SAMPLER_BINDING, Texels, texels};
 use super::{Gpu, GpuError};
+use crate::frame::{MODELS_ROW, SAMPLER_BINDING, TexelFormat, Texels, texels};
 use crate::ir::Scene;
 use crate::library::Model;
 
@@ -94,7 +94,10 @@ fn upload(gpu: &Gpu, texels: &Texels) -> wgpu::Texture {
         mip_level_count: texels.levels.len() as u32,
         sample_count: 1,
         dimension,
-        format: texels.format,
+        format: match texels.format {
+            TexelFormat::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
+            TexelFormat::Rgba32Uint => wgpu::TextureFormat::Rgba32Uint,
+        },
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
     });

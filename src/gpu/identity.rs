@@ -7,9 +7,9 @@ use std::time::Instant;
 
 use glam::{Vec2, Vec3, uvec2};
 
-use super::lens::Lens;
 use super::slices::SLICE;
-use super::{Gpu, GpuError, Moment, Pace, Pipeline, Region, Tracer, View};
+use super::{Gpu, GpuError, Pace, Pipeline, Region, Tracer};
+use crate::frame::{Lens, Moment, View};
 use crate::ir;
 
 /// The cosine below which a slant no longer counts: a silhouette covers nothing.

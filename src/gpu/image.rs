@@ -5,10 +5,9 @@ use std::time::{Duration, Instant};
 
 use super::parts::{Parts, lay};
 use super::slices::{SLICE, Subject, draw_sample};
-use super::{
-    Display, Gpu, GpuError, Identity, Light, Moment, Pace, Pipeline, Region, Target, Tracer, sample_offset,
-};
+use super::{Display, Gpu, GpuError, Identity, Light, Pace, Pipeline, Region, Target, Tracer};
 use crate::compile::Compiled;
+use crate::frame::{Moment, sample_offset};
 use crate::ir;
 
 /// The most pixels in a row or a column of a picture.

@@ -11,9 +11,9 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 
-use super::lens::Lens;
 use super::pipeline::{uniform_buffer, uniform_entry};
 use super::{Gpu, Target};
+use crate::frame::Lens;
 use crate::ir::Camera;
 use crate::library::built_in;
 

@@ -7,6 +7,7 @@ use super::assets::{Assets, check_models};
 use super::guard::Guard;
 use super::{Gpu, GpuError};
 use crate::compile::Compiled;
+use crate::frame::FrameUniforms;
 use crate::wgsl::Mode;
 
 /// The texture that a picture gathers in: linear light, and depth.
@@ -144,7 +145,7 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
     let device = &gpu.device;
     let module = shader_module(gpu, compiled);
     let stage = wgpu::ShaderStages::FRAGMENT;
-    let frame = uniform_entry(0, size_of::<super::uniforms::Frame>() as u64, stage);
+    let frame = uniform_entry(0, size_of::<FrameUniforms>() as u64, stage);
     let numbers = numbers_buffer(gpu, compiled);
     let corner = uniform_entry(4, size_of::<[f32; 2]>() as u64, stage);
     let mut entries = vec![frame, super::display::texture_entry(1), corner];

@@ -10,9 +10,9 @@ use super::assets::{Assets, check_models};
 use super::batches::{Kernel, Scene};
 use super::guard::Guard;
 use super::pipeline::{self, checked};
-use super::uniforms::Frame;
-use super::{Gpu, GpuError, Moment};
+use super::{Gpu, GpuError};
 use crate::compile::Compiled;
+use crate::frame::{FrameUniforms, Moment};
 
 /// A scene that can be asked. One whose text stays the same takes new numbers.
 #[derive(Debug)]
@@ -84,12 +84,12 @@ impl Probe {
         check_models(gpu, &compiled.scene)?;
         Kernel::check(gpu)?;
         let probed = compiled.probed().map_err(|problem| GpuError::Refused(problem.message))?;
-        let frame = Frame::new(moment, &compiled.scene.render, 0, size, 0, [0.0; 2]);
+        let frame = FrameUniforms::new(moment, &compiled.scene.render, 0, size, 0, [0.0; 2]);
         checked(gpu, || {
             let device = &gpu.device;
             let module = pipeline::shader_module(gpu, &probed);
             let stage = wgpu::ShaderStages::COMPUTE;
-            let mut entries = vec![pipeline::uniform_entry(0, size_of::<Frame>() as u64, stage)];
+            let mut entries = vec![pipeline::uniform_entry(0, size_of::<FrameUniforms>() as u64, stage)];
             let numbers = pipeline::numbers_buffer(gpu, compiled);
             entries.extend(numbers.iter().map(|n| pipeline::uniform_entry(2, n.size(), stage)));
             let guard = Guard::new(gpu, &probed);
@@ -98,7 +98,7 @@ impl Probe {
                 label: Some("probe"),
                 entries: &entries,
             });
-            let frame_buffer = pipeline::uniform_buffer(gpu, "frame", size_of::<Frame>() as u64);
+            let frame_buffer = pipeline::uniform_buffer(gpu, "frame", size_of::<FrameUniforms>() as u64);
             gpu.queue.write_buffer(&frame_buffer, 0, bytemuck::bytes_of(&frame));
             let bound = [(0, Some(&frame_buffer)), (2, numbers.as_ref())];
             let bound = bound.into_iter().filter_map(|(binding, buffer)| {

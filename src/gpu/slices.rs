@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use super::{Gpu, GpuError, Moment, Pace, Pipeline, Region, Tracer};
+use super::{Gpu, GpuError, Pace, Pipeline, Region, Tracer};
+use crate::frame::Moment;
 use crate::ir;
 
 /// What is drawn, and by what.

@@ -2,8 +2,8 @@
 
 use super::guard::Guard;
 use super::pipeline::{FORMAT, uniform_buffer};
-use super::uniforms::Frame;
-use super::{Gpu, GpuError, Moment, Pipeline, Region};
+use super::{Gpu, GpuError, Pipeline, Region};
+use crate::frame::{FrameUniforms, Moment};
 use crate::ir;
 
 /// Two textures, of which one holds the samples so far and the other takes the next.
@@ -29,7 +29,7 @@ impl Tracer {
             return Err(GpuError::Refused(why));
         }
         let corner = uniform_buffer(gpu, "corner", size_of::<[f32; 2]>() as u64);
-        let frame = uniform_buffer(gpu, "frame", size_of::<Frame>() as u64);
+        let frame = uniform_buffer(gpu, "frame", size_of::<FrameUniforms>() as u64);
         let texture = |label| {
             gpu.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),
@@ -86,7 +86,7 @@ impl Tracer {
     ) {
         let Gpu { device, queue, .. } = &self.gpu;
         let (size, corner) = self.whole;
-        let frame = Frame::new(moment, render, pipeline.casters, size, self.samples, jitter);
+        let frame = FrameUniforms::new(moment, render, pipeline.casters, size, self.samples, jitter);
         queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&frame));
         queue.write_buffer(&self.corner, 0, bytemuck::bytes_of(&corner.map(|n| n as f32)));
         let target = &self.textures[self.samples as usize % 2];

@@ -3,7 +3,8 @@
 use glam::Vec3;
 
 use super::{Problem, Random, World, panel};
-use crate::gpu::{Crossing, Gpu, Moment, Probe, Ray};
+use crate::frame::Moment;
+use crate::gpu::{Crossing, Gpu, Probe, Ray};
 use crate::wgsl::Mode;
 
 /// A shape that rays are sent to.

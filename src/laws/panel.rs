@@ -4,7 +4,8 @@ use glam::{Vec2, Vec3};
 
 use super::{Problem, World};
 use crate::compile::Compiled;
-use crate::gpu::{Gpu, Moment, Probe, SurfacePoint};
+use crate::frame::Moment;
+use crate::gpu::{Gpu, Probe, SurfacePoint};
 use crate::wgsl::Mode;
 
 /// Calls that are asked for their values.

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::Sketch;
 use crate::compile::Compiled;
-use crate::gpu::{Frame, Moment};
+use crate::frame::{FrameUniforms, Moment};
 
 /// Of what a screen shows, 0 to 1: far more than the last digits of a driver's own functions change.
 const NEAR: f32 = 0.03;
@@ -33,7 +33,7 @@ pub fn doubt(
 ) -> Option<Doubt> {
     let sketch = Sketch::new(compiled).ok()?;
     let scene = &compiled.scene;
-    let frame = Frame::new(moment, &scene.render, scene.casters(), size, 0, [0.0; 2]);
+    let frame = FrameUniforms::new(moment, &scene.render, scene.casters(), size, 0, [0.0; 2]);
     let expected = sketch.draw(&frame, patience).ok()?;
     let shown = |light: f32| light.clamp(0.0, 1.0).powf(1.0 / 2.2);
     let differs = |(a, b): &(&[f32; 4], &[f32; 4])| (0..3).any(|c| (shown(a[c]) - shown(b[c])).abs() > NEAR);

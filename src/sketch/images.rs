@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 
-use crate::gpu::{MODELS_BINDING, MODELS_ROW};
+use crate::frame::{MODELS_BINDING, MODELS_ROW};
 use crate::ir::Scene;
 use crate::library;
 
@@ -64,7 +64,7 @@ fn between(level: &library::Level, place: [f32; 2]) -> Vec4 {
     row(low[1]).lerp(row(low[1] + 1.0), at[1] - low[1])
 }
 
-/// All images of `scene` by their bindings, as `gpu/texels.rs` has them for a driver.
+/// All images of `scene` by their bindings, as `frame/texels.rs` has them for a driver.
 pub fn images(scene: &Scene) -> Vec<Image> {
     let mut images = vec![Image::Empty];
     images.extend(scene.images.iter().cloned().map(Image::Colors));

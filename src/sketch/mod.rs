@@ -21,7 +21,7 @@ use self::lower::unsupported;
 use self::machine::{Inputs, Machine};
 use self::program::{Program, SIDE};
 use crate::compile::Compiled;
-use crate::gpu::Frame;
+use crate::frame::FrameUniforms;
 use crate::library::Model;
 
 /// A prime near 2^32 over the golden ratio: in steps of it, the first squares already are from everywhere.
@@ -68,7 +68,7 @@ impl Sketch {
     ///
     /// # Errors
     /// Where that would take longer than `patience`, which is known after a part of that time.
-    pub fn draw(&self, frame: &Frame, patience: Duration) -> Result<Vec<[f32; 4]>, TooSlow> {
+    pub fn draw(&self, frame: &FrameUniforms, patience: Duration) -> Result<Vec<[f32; 4]>, TooSlow> {
         let [width, height] = frame.resolution.map(|n| n as u32);
         let [columns, rows] = [width, height].map(|n| n.div_ceil(SIDE as u32));
         let begun = Instant::now();

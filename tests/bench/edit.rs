@@ -8,7 +8,8 @@ mod common;
 use std::time::{Duration, Instant};
 
 use common::{gpu, read};
-use raytoy::gpu::{Display, Frame, Gpu, Light, Moment, Target, Tracer, render};
+use raytoy::frame::{FrameUniforms, Moment};
+use raytoy::gpu::{Display, Gpu, Light, Target, Tracer, render};
 use raytoy::sketch::Sketch;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
@@ -70,7 +71,7 @@ fn sketch(gpu: &Gpu, display: &Display, compiled: &Compiled) -> bool {
     let size = SIZE.map(|n| n / COARSENESS);
     let render = &compiled.scene.render;
     let moment = Moment::of(&compiled.scene);
-    let frame = Frame::new(&moment, render, compiled.scene.casters(), size, 0, [0.0; 2]);
+    let frame = FrameUniforms::new(&moment, render, compiled.scene.casters(), size, 0, [0.0; 2]);
     let Ok(pixels) = sketch.draw(&frame, PATIENCE) else { return false };
     let mut tracer = Tracer::new(gpu, size).expect("the size is small");
     tracer.fill(&pixels);

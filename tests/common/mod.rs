@@ -8,7 +8,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use raytoy::gpu::{AdapterChoice, Gpu, Moment, Picture, View, render};
+use raytoy::frame::{Moment, View};
+use raytoy::gpu::{AdapterChoice, Gpu, Picture, render};
 use raytoy::library::{Family, Library, Type};
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;

@@ -1,6 +1,7 @@
 //! A program that knows wgpu, a standalone file and what lies beside it, and of raytoy only its device.
 
-use raytoy::gpu::{Display, Gpu, sample_offset};
+use raytoy::frame::sample_offset;
+use raytoy::gpu::{Display, Gpu};
 use wgpu::util::DeviceExt;
 
 use super::files;

@@ -5,7 +5,7 @@ use std::path::Path;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use raytoy::app::panel::CaptureDeed;
-use raytoy::gpu::View;
+use raytoy::frame::View;
 
 use super::SCENE;
 use super::studio::Studio;

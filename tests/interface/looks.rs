@@ -11,7 +11,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{Vec2, Vec3};
 use raytoy::app::handles::{Handle, Tripod};
 use raytoy::app::{Focus, Slow};
-use raytoy::gpu::{Lens, View};
+use raytoy::frame::{Lens, View};
 
 use super::SCENE;
 use super::studio::{Studio, is};

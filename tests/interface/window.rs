@@ -6,7 +6,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use raytoy::app::{COMMANDS, Settings, Theme};
-use raytoy::gpu::View;
+use raytoy::frame::View;
 
 use super::SCENE;
 use super::studio::{Studio, is};

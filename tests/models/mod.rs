@@ -21,7 +21,8 @@ mod tree;
 
 use std::path::Path;
 
-use raytoy::gpu::{Crossing, Gpu, Moment, Probe, Ray};
+use raytoy::frame::Moment;
+use raytoy::gpu::{Crossing, Gpu, Probe, Ray};
 use raytoy::library::Model;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;

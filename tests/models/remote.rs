@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use glam::DVec3;
-use raytoy::gpu::{Moment, Probe, Ray};
+use raytoy::frame::Moment;
+use raytoy::gpu::{Probe, Ray};
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 use raytoy::{Compiled, compile};

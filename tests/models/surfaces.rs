@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use glam::Vec3;
-use raytoy::gpu::{Picture, View};
+use raytoy::frame::View;
+use raytoy::gpu::Picture;
 use raytoy::library::Corner;
 use raytoy::wgsl::Mode;
 

@@ -12,7 +12,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
-use raytoy::gpu::{Gpu, Moment, Probe, Ray};
+use raytoy::frame::Moment;
+use raytoy::gpu::{Gpu, Probe, Ray};
 use raytoy::ir::Value;
 use raytoy::library::Const;
 use raytoy::sources::Sources;

@@ -2,7 +2,8 @@
 
 use glam::{Vec2, Vec3, vec2};
 use raytoy::Compiled;
-use raytoy::gpu::{Display, Gpu, Lens, Line, Lines, Moment, Pipeline, Region, Target, Tracer};
+use raytoy::frame::{Lens, Moment};
+use raytoy::gpu::{Display, Gpu, Line, Lines, Pipeline, Region, Target, Tracer};
 
 use crate::common;
 

@@ -2,7 +2,8 @@
 
 use glam::Vec3;
 use raytoy::export::{Language, export};
-use raytoy::gpu::{Gpu, Moment, Picture, Split, View, render};
+use raytoy::frame::{Moment, Split, View};
+use raytoy::gpu::{Gpu, Picture, render};
 use raytoy::ir::Measure;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
@@ -114,7 +115,7 @@ fn a_number_is_blue_below_0_and_red_above_with_lines_at_the_tenths() {
         objects: [Plane(normal: (0, 0, 1)), Sphere(name: \"ball\", center: (0, 0, 0.2))])";
     let compiled = scene(text);
     let seen = identity(gpu, &compiled, SIZE);
-    let lens = raytoy::gpu::Lens::new(&compiled.scene.camera, SIZE);
+    let lens = raytoy::frame::Lens::new(&compiled.scene.camera, SIZE);
     let pixel = |x: u32, y: u32| lens.direction(glam::vec2(x as f32 + 0.5, y as f32 + 0.5));
     let of = |x: u32, y: u32, what: &dyn Fn(raytoy::gpu::Seen) -> f32| {
         let middle = seen.object(SIZE[0] / 2, SIZE[1] / 2);

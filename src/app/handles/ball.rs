@@ -5,7 +5,7 @@
 
 use glam::{Vec2, Vec3, vec2};
 
-use crate::gpu::Lens;
+use crate::frame::Lens;
 
 /// A ball whose middle is that of the picture.
 #[derive(Clone, Copy, Debug)]

@@ -5,7 +5,7 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::gpu::Lens;
+use crate::frame::Lens;
 
 /// What a hand can take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,7 +5,8 @@ use std::time::{Duration, Instant};
 use super::{Painter, SAMPLES};
 use crate::app::messages::{Look, Notice, Picture};
 use crate::compile::Compiled;
-use crate::gpu::{GpuError, Moment, Region, Survey, Tracer, sample_offset};
+use crate::frame::{Moment, sample_offset};
+use crate::gpu::{GpuError, Region, Survey, Tracer};
 
 /// On a device of its own the painter lets the window show a picture first, but waits no longer than this.
 const COURTESY: Duration = Duration::from_millis(100);

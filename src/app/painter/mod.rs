@@ -17,7 +17,8 @@ use super::events::Change;
 use super::messages::{Clock, Look, Notice, Slow, Wish};
 use super::orders::{Built, Version};
 use crate::diagnostic::Report;
-use crate::gpu::{Gpu, GpuError, Pace, Pipeline, Survey, Tracer, View};
+use crate::frame::View;
+use crate::gpu::{Gpu, GpuError, Pace, Pipeline, Survey, Tracer};
 use forecast::Forecast;
 
 /// A picture that takes longer than this to draw starts coarse.

@@ -4,7 +4,8 @@ use std::time::{Duration, Instant};
 
 use super::{Painter, SAMPLES};
 use crate::app::messages::Notice;
-use crate::gpu::{Frame, GpuError, sample_offset};
+use crate::frame::{FrameUniforms, sample_offset};
+use crate::gpu::GpuError;
 
 /// A sketch is so coarse that it takes about this long, between the finest that is worth it and one that is
 /// still a picture. One of a slow scene gets more time before it gets coarser than that.
@@ -33,7 +34,7 @@ impl Painter {
             self.coarseness = coarseness(self.look.size, cost);
             let (size, render) = (self.picture_size(), &compiled.scene.render);
             let (moment, jitter) = (self.moment(&compiled), sample_offset(0, SAMPLES));
-            let frame = Frame::new(&moment, render, compiled.scene.casters(), size, 0, jitter);
+            let frame = FrameUniforms::new(&moment, render, compiled.scene.casters(), size, 0, jitter);
             let begun = Instant::now();
             let drawn = sketch.draw(&frame, PATIENCE);
             let time = drawn.as_ref().map_or_else(|too_slow| too_slow.0, |_| begun.elapsed());

@@ -7,7 +7,7 @@ use egui::{Align, Layout, RichText, Ui};
 use super::{Deeds, Panel};
 use crate::app::commands::Command;
 use crate::app::messages::Clock;
-use crate::gpu::View;
+use crate::frame::View;
 
 /// Seconds from one frame to the next when time is stepped by hand.
 const FRAME: f32 = 1.0 / 60.0;

@@ -7,7 +7,7 @@ use egui::{DragValue, ProgressBar, RichText, TextEdit, Ui};
 use super::Panel;
 use crate::app::album;
 use crate::capture::{Frames, MovieFormat};
-use crate::gpu::Moment;
+use crate::frame::Moment;
 
 /// What the author asked for last.
 pub struct Dialog {

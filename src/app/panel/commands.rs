@@ -9,7 +9,7 @@ use crate::app::orders::Order;
 use crate::app::settings::Theme;
 use crate::app::{editor, templates};
 use crate::edit::{Edit, NewValue};
-use crate::gpu::View;
+use crate::frame::View;
 use crate::outline::NodeKind;
 
 /// Told before an undo that takes back what was done elsewhere.

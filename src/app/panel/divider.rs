@@ -8,7 +8,7 @@ use egui::{
 
 use super::bar::view_menu;
 use super::{ACCENT, Panel};
-use crate::gpu::{Split, View};
+use crate::frame::{Split, View};
 
 /// Points to each side in which a hand takes the divider.
 const REACH: f32 = 6.0;

@@ -6,7 +6,7 @@ use egui::{
 
 use super::{Deeds, Panel};
 use crate::app::orders;
-use crate::gpu::View;
+use crate::frame::View;
 use crate::ir::Measure;
 
 /// BELOW, the color of 0 and ABOVE, as shaders/signed.wgsl has them.

@@ -7,7 +7,7 @@ use super::Panel;
 use crate::app::focus::Focus;
 use crate::app::handles::{Ball, Direction, Handle, Known, Movable, Place, Tripod, movables};
 use crate::edit::{Edit, NewValue};
-use crate::gpu::Lens;
+use crate::frame::Lens;
 use crate::ir::Value;
 
 /// Digits behind the point where the hand moves in steps: steps of 0.1.

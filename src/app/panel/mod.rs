@@ -51,7 +51,7 @@ use super::settings::{self, Settings};
 use super::thumbnails;
 use crate::compile::Compiled;
 use crate::diagnostic::Report;
-use crate::gpu::View;
+use crate::frame::View;
 use crate::ir::Camera;
 use crate::outline::Outline;
 use crate::scene;

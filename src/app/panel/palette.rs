@@ -12,7 +12,7 @@ use super::commands::keys_of;
 use super::scenes::{full_name, stem};
 use super::{Deeds, Leaving, Panel};
 use crate::app::commands::{COMMANDS, Command};
-use crate::gpu::View;
+use crate::frame::View;
 
 /// Points.
 const WIDTH: f32 = 540.0;

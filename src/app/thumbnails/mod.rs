@@ -18,7 +18,8 @@ use egui::ColorImage;
 pub use self::catalog::{Definition, Item, Subject, catalog};
 use self::store::Store;
 use crate::compile::Compiled;
-use crate::gpu::{AdapterChoice, Gpu, GpuError, Moment, Picture, Renderer};
+use crate::frame::Moment;
+use crate::gpu::{AdapterChoice, Gpu, GpuError, Picture, Renderer};
 use crate::sources::Disk;
 
 /// For each pixel.

@@ -7,22 +7,27 @@ use half::f16;
 use crate::ir::Scene;
 use crate::library::{Image, Model};
 
-/// Holds light beyond 1 in half the bytes of a float, and every device filters it.
-const IMAGE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
-
 /// As shaders/image.wgsl says: the one sampler of all images.
 pub const SAMPLER_BINDING: u32 = 0;
 
 /// As shaders/model.wgsl says.
-const MODELS: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
 pub const MODELS_BINDING: u32 = 15;
 pub const MODELS_ROW: u32 = 2048;
+
+/// How the bytes of a texel are read; the names are WebGPU's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TexelFormat {
+    /// Of images: it holds light beyond 1 in half the bytes of a float, and every device filters it.
+    Rgba16Float,
+    /// Of models.
+    Rgba32Uint,
+}
 
 /// What one texture of bind group 1 holds.
 #[derive(Clone, Debug)]
 pub struct Texels {
     pub binding: u32,
-    pub format: wgpu::TextureFormat,
+    pub format: TexelFormat,
     /// Width and height of the first level. Each other one is half as wide and as high as the one before it,
     /// rounded down, but at least 1.
     pub size: [u32; 2],
@@ -51,7 +56,7 @@ fn of_image(binding: u32, image: &Image) -> Texels {
     let bytes = |texels: &[glam::Vec4]| texels.iter().map(texel).collect::<Vec<_>>().into_flattened();
     Texels {
         binding,
-        format: IMAGE,
+        format: TexelFormat::Rgba16Float,
         size: image.levels[0].size,
         levels: image.levels.iter().map(|level| bytes(&level.texels)).collect(),
         files: vec![image.file.clone()],
@@ -69,7 +74,7 @@ fn of_models(models: &[Model]) -> Texels {
     let texel = |words: [u32; 4]| bytemuck::cast::<[u32; 4], [u8; 16]>(words.map(u32::to_le));
     Texels {
         binding: MODELS_BINDING,
-        format: MODELS,
+        format: TexelFormat::Rgba32Uint,
         size: [MODELS_ROW, rows],
         levels: vec![words.into_iter().map(texel).collect::<Vec<_>>().into_flattened()],
         files: models.iter().map(|model| model.file.clone()).collect(),
