@@ -1,8 +1,8 @@
 //! LDR-FLIP: the difference that a person sees who flips between two pictures.
 //!
 //! Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild: FLIP, A Difference Evaluator for
-//! Alternating Images, 2020, with the constants of the authors' code. tests/judge.rs holds means and single
-//! pixels of synthetic pictures to what that code gives (the package flip-evaluator 1.7).
+//! Alternating Images, 2020, with the constants of the authors' code. tests/text/judge.rs holds means and
+//! single pixels of synthetic pictures to what that code gives (the package flip-evaluator 1.7).
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 

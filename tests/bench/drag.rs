@@ -2,12 +2,12 @@
 //! `cargo test --test drag_bench`.
 #![cfg(target_os = "linux")]
 
-#[path = "../common/xserver.rs"]
-mod xserver;
+#[path = "../common/desk.rs"]
+mod desk;
 
 use std::time::Instant;
 
-use xserver::Desk;
+use desk::Desk;
 
 const SIZE: [u16; 2] = [1280, 720];
 const STEPS: i16 = 500;

@@ -2,12 +2,12 @@
 //! `cargo test --test reload_bench -- [SCENE…]`, all of them unless told.
 #![cfg(target_os = "linux")]
 
-#[path = "../common/xserver.rs"]
-mod xserver;
+#[path = "../common/desk.rs"]
+mod desk;
 
 use std::time::Instant;
 
-use xserver::Desk;
+use desk::Desk;
 
 const ROUNDS: usize = 20;
 

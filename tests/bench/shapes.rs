@@ -4,11 +4,11 @@
 
 #[path = "../common/mod.rs"]
 mod common;
-#[path = "../rays/mod.rs"]
+#[path = "../gpu/rays/mod.rs"]
 mod rays;
 // Its own tests are not run here.
 #[allow(unused_imports)]
-#[path = "../reference/mod.rs"]
+#[path = "../gpu/reference/mod.rs"]
 mod reference;
 
 use rays::{DISTANCES, SHAPES, Subject, Tally, extent};

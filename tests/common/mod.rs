@@ -132,7 +132,7 @@ pub fn gpu() -> Option<&'static Gpu> {
 }
 
 /// The shapes that find their crossings by equations, as the reference does. For what is marched to
-/// tests/solids.rs has laws, and for models tests/models.rs.
+/// tests/gpu/solids.rs has laws, and for models tests/gpu/models/.
 pub fn solved_shapes() -> Vec<String> {
     let sources = Sources::in_memory();
     let library = Library::new(&sources, "".as_ref());

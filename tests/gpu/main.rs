@@ -1,0 +1,29 @@
+//! What a GPU draws, and what is made for it. Needs a Vulkan driver: Mesa's lavapipe, unless `RAYTOY_ADAPTER` names
+//! another.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod against_reference;
+mod antialiasing;
+mod capture;
+mod default_limits;
+mod export;
+mod filter;
+mod guard;
+mod images;
+mod inspection;
+mod laws;
+mod models;
+mod patterns;
+mod pictures;
+mod precision;
+mod probe;
+mod rays;
+mod reference;
+mod scales;
+mod shadows;
+mod shapes;
+mod sketch;
+mod solids;
+mod suite;

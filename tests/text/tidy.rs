@@ -1,0 +1,228 @@
+//! Rules of the house that a test can hold: headers, lengths, imports, and that what ships is shown.
+
+use crate::common;
+use crate::common::{expect_none, files, read};
+use raytoy::library::{Family, Library};
+use raytoy::sources::Sources;
+
+/// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
+const IMPORTS: [(&str, &[&str]); 26] = [
+    ("diagnostic", &[]),
+    ("sources", &["diagnostic"]),
+    ("scene", &["diagnostic"]),
+    ("edit", &["diagnostic", "library", "scene"]),
+    ("library", &["diagnostic", "sources"]),
+    ("ir/resolve", &["ir", "library", "diagnostic", "scene"]),
+    ("ir", &["library"]),
+    ("outline", &["ir", "library", "scene"]),
+    ("wgsl", &["ir", "library"]),
+    ("module", &["wgsl", "diagnostic"]),
+    ("frame", &["ir", "library"]),
+    ("gpu", &["compile", "diagnostic", "frame", "ir", "library", "wgsl"]),
+    ("export", &["compile", "frame", "ir", "library", "module", "wgsl"]),
+    ("files", &[]),
+    ("capture", &["compile", "files", "frame", "gpu"]),
+    ("stage", &["compile", "diagnostic", "sources"]),
+    ("watch", &["sources"]),
+    ("sketch", &["compile", "frame", "ir", "library"]),
+    ("judge", &[]),
+    ("difference", &["compile", "frame", "gpu", "judge", "scene", "wgsl"]),
+    ("laws", &["compile", "diagnostic", "frame", "gpu", "library", "sources", "wgsl"]),
+    (
+        "suite",
+        &[
+            "compile",
+            "diagnostic",
+            "difference",
+            "frame",
+            "gpu",
+            "judge",
+            "laws",
+            "library",
+            "scene",
+            "sources",
+            "wgsl",
+        ],
+    ),
+    (
+        "app",
+        &[
+            "capture",
+            "compile",
+            "diagnostic",
+            "difference",
+            "edit",
+            "export",
+            "files",
+            "frame",
+            "gpu",
+            "ir",
+            "library",
+            "outline",
+            "scene",
+            "sketch",
+            "sources",
+            "watch",
+            "wgsl",
+        ],
+    ),
+    (
+        "cli",
+        &[
+            "app",
+            "capture",
+            "compile",
+            "diagnostic",
+            "difference",
+            "export",
+            "files",
+            "frame",
+            "gpu",
+            "ir",
+            "library",
+            "sketch",
+            "sources",
+            "suite",
+            "wgsl",
+        ],
+    ),
+    ("compile", &["diagnostic", "ir", "library", "module", "scene", "sources", "wgsl"]),
+    ("lib", &["compile"]),
+];
+
+/// What only some rooms may name, and where.
+const RESERVED: [(&str, &[&str]); 9] = [
+    ("wgpu::", &["gpu", "app"]),
+    ("winit::", &["app"]),
+    ("egui::", &["app"]),
+    ("notify::", &["watch"]),
+    ("clap::", &["cli"]),
+    ("png::", &["capture"]),
+    ("std::fs", &["sources", "files", "suite", "app", "capture", "cli", "watch", "build"]),
+    ("println!", &["cli", "build"]),
+    // One line in gpu: an error that slips through all scopes has nowhere else to go.
+    ("eprintln!", &["cli", "gpu/device"]),
+];
+
+#[test]
+fn each_module_opens_with_what_it_is() {
+    expect_none(rust().into_iter().filter(|(_, text)| !text.starts_with("//! ")).map(|(file, _)| file));
+}
+
+#[test]
+fn files_and_lines_stay_short() {
+    let wgsl = ["shaders", "textures"].iter().flat_map(|folder| files(folder, "wgsl"));
+    let wgsl = wgsl.map(|file| (read(&file), file, 100));
+    let rust = rust().into_iter().map(|(file, text)| (text, file, 300));
+    expect_none(rust.chain(wgsl).flat_map(|(text, file, most)| {
+        let lines = text.lines().count();
+        let long = (lines > most).then(|| format!("{file}: {lines} lines, {most} are enough"));
+        let wide = (1..).zip(text.lines()).filter(|(_, line)| line.chars().count() > 110);
+        let wide = wide.map(|(n, line)| format!("{file}:{n}: {} columns", line.chars().count()));
+        long.into_iter().chain(wide).collect::<Vec<_>>()
+    }));
+}
+
+#[test]
+fn rooms_import_only_from_rooms_above() {
+    expect_none(sources().into_iter().flat_map(|(room, file, text)| {
+        let is_room = |(name, _): &&(&str, &[&str])| room == *name || room.starts_with(&format!("{name}/"));
+        let (own, allowed) = IMPORTS.iter().find(is_room).copied().unwrap_or((room.as_str(), &[]));
+        let own = own.split('/').next().unwrap_or(own).to_owned();
+        let named =
+            imports(&text).into_iter().filter(move |name| *name != own && !allowed.contains(&name.as_str()));
+        named.map(move |name| format!("{file} takes from crate::{name}")).collect::<Vec<_>>()
+    }));
+}
+
+#[test]
+fn crates_and_the_disk_are_named_only_in_their_rooms() {
+    expect_none(sources().into_iter().flat_map(|(room, file, text)| {
+        let is_in = |rooms: &[&str]| rooms.iter().any(|r| room == *r || room.starts_with(&format!("{r}/")));
+        let is_named = |what: &str| match what {
+            // `eprintln!` has `println!` in it.
+            "println!" => text.replace("eprintln!", "").contains(what),
+            "wgpu::" => text.replace("egui_wgpu::", "").contains(what),
+            _ => text.contains(what),
+        };
+        let named = RESERVED.iter().filter(|(what, rooms)| is_named(what) && !is_in(rooms));
+        named.map(|(what, _)| format!("{file} names {what}")).collect::<Vec<_>>()
+    }));
+}
+
+#[test]
+fn each_snippet_has_a_caption_and_is_shown_somewhere() {
+    let good = common::good_scenes().into_iter().map(|file| read(&file)).collect::<String>();
+    let disk = Sources::in_memory();
+    let library = Library::new(&disk, "".as_ref());
+    expect_none([Family::Shape, Family::Texture].into_iter().flat_map(|family| {
+        library
+            .names(family)
+            .into_iter()
+            .filter_map(|name| match library.find(family, &name) {
+                Err(problems) => Some(format!("{name}: {problems:?}")),
+                Ok(function) if function.caption.is_empty() => Some(format!("{name} has no caption")),
+                Ok(_) if !good.contains(&format!("{name}(")) => {
+                    Some(format!("{name} is in no scene and no case"))
+                }
+                Ok(_) => None,
+            })
+            .collect::<Vec<_>>()
+    }));
+}
+
+#[test]
+fn each_scene_says_what_it_shows() {
+    let silent = common::good_scenes().into_iter().filter(|file| !read(file).starts_with("// "));
+    expect_none(silent.map(|file| format!("{file} opens without a comment")));
+}
+
+/// The files of src/ with their texts.
+fn rust() -> Vec<(String, String)> {
+    files("src", "rs").into_iter().map(|file| (file.clone(), read(&file))).collect()
+}
+
+/// The room, the name and the code, without comments, of each file of src/; the program's own few lines aside.
+fn sources() -> Vec<(String, String, String)> {
+    let room = |file: &str| {
+        file.trim_start_matches("src/").trim_end_matches(".rs").trim_end_matches("/mod").to_owned()
+    };
+    let code =
+        |text: &str| text.lines().map(|l| l.split("//").next().unwrap_or(l)).collect::<Vec<_>>().join("\n");
+    let all = rust().into_iter().map(|(file, text)| (room(&file), file, code(&text)));
+    all.filter(|(room, ..)| room != "main").collect()
+}
+
+/// The first name behind each `crate::`, and each one of `crate::{a, b}`.
+fn imports(text: &str) -> Vec<String> {
+    let name = |part: &str| {
+        let part = part.trim_start();
+        part[..part.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(part.len())].to_owned()
+    };
+    let starts = text.match_indices("crate::").filter(|(at, _)| !text[..*at].ends_with('$'));
+    let found = starts.flat_map(|(at, found)| match text[at + found.len()..].strip_prefix('{') {
+        Some(list) => list[..list.find('}').unwrap_or(0)].split(',').map(name).collect(),
+        None => vec![name(&text[at + found.len()..])],
+    });
+    found.filter(|name| !name.is_empty()).collect()
+}
+
+#[test]
+fn the_page_of_the_library_has_all_that_scenes_can_name() {
+    let page = read("docs/library/README.md");
+    let sources = Sources::in_memory();
+    let library = Library::new(&sources, "".as_ref());
+    let functions = [Family::Texture, Family::Shape].into_iter().flat_map(|family| {
+        let names = library.names(family).into_iter();
+        names.filter_map(|name| library.find(family, &name).ok()).collect::<Vec<_>>()
+    });
+    expect_none(functions.filter_map(|function| {
+        let says = |what: &str| page.contains(what);
+        let tells_parameters = function.parameters.iter().all(|p| says(&p.doc) && says(&p.default_text));
+        let is_complete =
+            says(&format!("**{}**", function.name)) && says(&function.caption) && tells_parameters;
+        let has_picture = common::root().join(format!("docs/library/{}.jpg", function.name)).exists();
+        let advice = "run `raytoy gallery -o docs/library`";
+        (!is_complete || !has_picture).then(|| format!("{} is not as its file says: {advice}", function.name))
+    }));
+}
