@@ -3,11 +3,12 @@
 # The scene that `make play` opens: make play SCENE=scenes/shapes.ron
 SCENE ?= $(firstword $(sort $(wildcard scenes/*.ron)))
 
-.PHONY: help play test setup rust
+.PHONY: help play quick test setup rust
 
 help:
 	@echo 'make play    open a scene in a window; without a display, draw all scenes to gallery/'
-	@echo 'make test    run the tests'
+	@echo 'make quick   run the tests that need neither a GPU nor a display; seconds after a build'
+	@echo 'make test    run all tests'
 	@echo 'make setup   install what raytoy needs besides Rust (Linux)'
 
 # The dev profile is enough: it optimises the dependencies, and the GPU does the work.
@@ -25,6 +26,9 @@ play: setup
 	export XDG_RUNTIME_DIR="$${XDG_RUNTIME_DIR:-$${TMPDIR:-/tmp}}"; \
 	cargo run -q -- render scenes/*.ron -o gallery/ --size 960x540 --samples 16 && \
 	echo "The pictures are in $$(pwd)/gallery/."
+
+quick: rust
+	cargo test --test text
 
 test: rust
 	@.ci/setup test

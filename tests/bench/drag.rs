@@ -2,6 +2,8 @@
 //! `cargo test --test drag_bench`.
 #![cfg(target_os = "linux")]
 
+// A bench takes a part of it.
+#[allow(dead_code)]
 #[path = "../common/desk.rs"]
 mod desk;
 

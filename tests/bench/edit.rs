@@ -2,12 +2,12 @@
 //! and without the driver's shader cache: `cargo test --test edit_bench -- [SCENE…]`, all of them unless told.
 //! RAYTOY_ADAPTER names the GPU, the software driver unless told.
 
-#[path = "../common/mod.rs"]
-mod common;
+#[path = "../common/device.rs"]
+mod device;
 
 use std::time::{Duration, Instant};
 
-use common::{gpu, read};
+use device::gpu;
 use raytoy::frame::{FrameUniforms, Moment};
 use raytoy::gpu::{Display, Gpu, Light, Target, Tracer, render};
 use raytoy::sketch::Sketch;
@@ -41,7 +41,8 @@ fn main() {
 fn measure(gpu: &Gpu, name: &str) {
     let home = tempfile::TempDir::new().expect("there is room for a folder");
     let file = home.path().join("scene.ron");
-    let text = read(&format!("scenes/{name}.ron"));
+    let scene = format!("{}/scenes/{name}.ron", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(scene).expect("it ships with raytoy");
     let display = Display::new(gpu, wgpu::TextureFormat::Rgba8Unorm);
     let mut before: Option<Compiled> = None;
     let (mut sketched, mut drawn) = (vec![], vec![]);

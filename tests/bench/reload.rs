@@ -2,6 +2,8 @@
 //! `cargo test --test reload_bench -- [SCENE…]`, all of them unless told.
 #![cfg(target_os = "linux")]
 
+// A bench takes a part of it.
+#[allow(dead_code)]
 #[path = "../common/desk.rs"]
 mod desk;
 

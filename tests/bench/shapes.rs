@@ -2,12 +2,12 @@
 //! `cargo test --release --test shape_table -- [RAYS] [SHAPE…]`, that many rays for each shape and distance; a
 //! million for all shapes, unless told.
 
-#[path = "../common/mod.rs"]
-mod common;
+#[path = "../common/device.rs"]
+mod device;
 #[path = "../gpu/rays/mod.rs"]
 mod rays;
-// Its own tests are not run here.
-#[allow(unused_imports)]
+// This table takes a part of it.
+#[allow(dead_code, unused_imports)]
 #[path = "../gpu/reference/mod.rs"]
 mod reference;
 
@@ -18,7 +18,7 @@ fn main() {
     let count: u64 = arguments.iter().find_map(|argument| argument.parse().ok()).unwrap_or(1_000_000);
     let is_wanted = |name: &str| arguments.iter().any(|argument| argument == name);
     let wants_all = !SHAPES.iter().any(|(name, _)| is_wanted(name));
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     println!(
         "{count} rays each. Errors are shares of the distance, or of the shape's radius where that is more; \
          each is the largest and what 99.9 % stay below. Excluded: rays that pass an edge or silhouette \

@@ -1,6 +1,4 @@
 //! A real X server with a real window in it: raytoy, run as a person would run it.
-//! Each test uses a part of it.
-#![allow(dead_code)]
 
 #[path = "hand.rs"]
 pub mod hand;

@@ -1,28 +1,16 @@
-//! What the test binaries share: where things are, texts that must stay as they are, and one software GPU.
-// Each binary uses a part of it.
-#![allow(dead_code)]
+//! What the programs of tests share: where things are, and texts that must stay as they are.
 
 pub mod folder;
+pub mod program;
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
 
-use raytoy::frame::{Moment, View};
-use raytoy::gpu::{AdapterChoice, Gpu, Picture, render};
-use raytoy::library::{Family, Library, Type};
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 use raytoy::{Compiled, Outcome, compile};
 
 /// Set to 1, it writes goldens instead of comparing with them.
 pub const BLESS: &str = "RAYTOY_BLESS";
-
-/// Set, it turns a missing adapter from a skip into a failure.
-pub const REQUIRE_GPU: &str = "RAYTOY_REQUIRE_GPU";
-
-/// The variable with a part of the name of another adapter to test than the software one.
-const ADAPTER: &str = "RAYTOY_ADAPTER";
 
 /// The project's folder.
 pub fn root() -> PathBuf {
@@ -109,45 +97,6 @@ pub fn how_to_bless(golden: &str) -> String {
 pub fn expect_none(problems: impl IntoIterator<Item = String>) {
     let problems: Vec<String> = problems.into_iter().collect();
     assert!(problems.is_empty(), "{} problem(s)\n{}", problems.len(), problems.join("\n"));
-}
-
-/// The GPU that runs on the processor, unless [`ADAPTER`] names another, one for the whole binary; without one the
-/// test is skipped.
-pub fn gpu() -> Option<&'static Gpu> {
-    static GPU: LazyLock<Option<Gpu>> = LazyLock::new(|| {
-        let choice = std::env::var(ADAPTER).map_or(AdapterChoice::Software, AdapterChoice::Named);
-        match Gpu::headless(&choice) {
-            Ok(gpu) => Some(gpu),
-            Err(error) if std::env::var_os(REQUIRE_GPU).is_some() => {
-                panic!("{REQUIRE_GPU} is set, but {error}")
-            }
-            Err(error) => {
-                // Past the capture of a test that passes: who runs the tests shall see it.
-                let _ = writeln!(std::io::stderr(), "skipped: no adapter ({error})");
-                None
-            }
-        }
-    });
-    GPU.as_ref()
-}
-
-/// The shapes that find their crossings by equations, as the reference does. For what is marched to
-/// tests/gpu/solids.rs has laws, and for models tests/gpu/models/.
-pub fn solved_shapes() -> Vec<String> {
-    let sources = Sources::in_memory();
-    let library = Library::new(&sources, "".as_ref());
-    let is_solved = |name: &String| {
-        let function = library.find(Family::Shape, name);
-        function.is_ok_and(|f| !f.traits.is_distance && f.parameters.iter().all(|p| p.ty != Type::Model))
-    };
-    library.names(Family::Shape).into_iter().filter(is_solved).collect()
-}
-
-/// One sample of `compiled`, as its own camera sees it.
-pub fn picture(gpu: &Gpu, compiled: &Compiled, size: [u32; 2], view: View) -> Picture {
-    let moment = Moment { view, ..Moment::of(&compiled.scene) };
-    render(gpu, compiled, &moment, size, 1, &mut |_| ())
-        .unwrap_or_else(|e| panic!("{}: {e}", compiled.scene.name))
 }
 
 /// The lines that two texts do not share at their start and end, cut where they are many.

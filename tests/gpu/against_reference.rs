@@ -1,7 +1,8 @@
 //! raytoy's pictures beside those of an independent renderer in f64: light, depth and object of each pixel.
 
-use crate::common;
-use crate::common::{expect_compiled, expect_none, outcome_of, picture, read};
+use crate::common::{expect_compiled, expect_none, outcome_of, read};
+use crate::device;
+use crate::draw::picture;
 use crate::reference;
 use raytoy::frame::{Moment, View};
 use raytoy::gpu::{Gpu, Identity, Pipeline};
@@ -115,7 +116,7 @@ fn grid(places: usize) -> impl Iterator<Item = [f64; 2]> {
 }
 
 fn check_all(scenes: impl IntoIterator<Item = (String, String)>, size: [u32; 2]) {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     expect_none(scenes.into_iter().flat_map(|(name, text)| check(gpu, &name, &text, size)));
 }
 

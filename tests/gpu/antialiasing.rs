@@ -1,7 +1,7 @@
 //! One filtered sample beside many plain ones: a checkered floor to the horizon, seen directly and in a mirror.
 
-use crate::common;
 use crate::common::{expect_compiled, expect_none, outcome_of};
+use crate::device;
 use raytoy::frame::Moment;
 use raytoy::gpu::{Gpu, render};
 use raytoy::wgsl::Mode;
@@ -31,7 +31,7 @@ const SCENES: [(&str, &str); 3] = [
 
 #[test]
 fn one_filtered_sample_is_better_than_sixteen_plain_ones() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     expect_none(SCENES.iter().filter_map(|(name, scene)| {
         let truth = means(gpu, scene, FINE);
         let error = |picture: &[f32]| {

@@ -1,6 +1,7 @@
 //! Captures: what a picture carries, frames and movies, what is left where one is stopped or fails.
 
 use crate::common;
+use crate::device;
 use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -22,7 +23,7 @@ const SIZE: [u32; 2] = [16, 10];
 
 #[test]
 fn a_picture_carries_its_scene_and_what_else_made_it() {
-    if common::gpu().is_none() {
+    if device::gpu().is_none() {
         return;
     }
     let folder = studio();
@@ -43,7 +44,7 @@ fn a_picture_carries_its_scene_and_what_else_made_it() {
 
 #[test]
 fn a_picture_by_another_camera_carries_that() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let compiled = compiled();
     let mut shot = shot(gpu, &compiled);
     shot.moment.camera.eye = [1.5, -2.25, 7.0].into();
@@ -81,7 +82,7 @@ fn a_file_without_a_scene_is_told() {
 
 #[test]
 fn frames_have_numbers_and_are_the_stills_of_their_times() {
-    if common::gpu().is_none() {
+    if device::gpu().is_none() {
         return;
     }
     let folder = studio();
@@ -106,7 +107,7 @@ fn frames_have_numbers_and_are_the_stills_of_their_times() {
 
 #[test]
 fn a_scene_that_does_not_move_is_told_once() {
-    if common::gpu().is_none() {
+    if device::gpu().is_none() {
         return;
     }
     let folder = studio();
@@ -151,7 +152,7 @@ fn wrong_calls_are_told() {
 
 #[test]
 fn progress_runs_from_0_to_1_over_all_frames_and_there_is_one_pipeline() {
-    if common::gpu().is_none() {
+    if device::gpu().is_none() {
         return;
     }
     // One of its own, since other tests make pipelines at the same time.
@@ -174,7 +175,7 @@ fn progress_runs_from_0_to_1_over_all_frames_and_there_is_one_pipeline() {
 
 #[test]
 fn what_is_stopped_leaves_whole_files_or_none() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let folder = tempfile::tempdir().expect("a temporary folder");
     let compiled = compiled();
     let shot = shot(gpu, &compiled);
@@ -237,7 +238,7 @@ mod movies {
 
     #[test]
     fn ffmpeg_gets_the_frames_and_the_formats_words() {
-        if common::gpu().is_none() {
+        if device::gpu().is_none() {
             return;
         }
         let folder = studio();
@@ -268,7 +269,7 @@ mod movies {
 
     #[test]
     fn a_movie_that_fails_leaves_the_one_before() {
-        if common::gpu().is_none() {
+        if device::gpu().is_none() {
             return;
         }
         let folder = studio();
@@ -292,7 +293,7 @@ mod movies {
 
     #[test]
     fn what_no_movie_can_be_is_told_before_a_frame_is_drawn() {
-        if common::gpu().is_none() {
+        if device::gpu().is_none() {
             return;
         }
         let folder = studio();
@@ -334,7 +335,7 @@ mod movies {
     #[test]
     fn a_stopped_movie_leaves_nothing() {
         const INSIDE: &str = "RAYTOY_TEST_FOLDER";
-        let Some(gpu) = common::gpu() else { return };
+        let Some(gpu) = device::gpu() else { return };
         let Some(inside) = std::env::var_os(INSIDE) else {
             let folder = studio();
             // It never ends by itself once it has all frames.
@@ -368,7 +369,7 @@ mod movies {
 
     #[test]
     fn a_real_ffmpeg_makes_movies_of_the_frames() {
-        if common::gpu().is_none() {
+        if device::gpu().is_none() {
             return;
         }
         let listed = Command::new("ffmpeg").args(["-v", "error", "-encoders"]).output();

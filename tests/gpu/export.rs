@@ -7,6 +7,7 @@ mod tint;
 mod validators;
 
 use crate::common;
+use crate::{device, draw};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -169,7 +170,7 @@ fn exports_are_as_their_goldens_say() {
 
 #[test]
 fn a_plain_host_draws_what_raytoy_draws() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let named = ["tests/cases/patterns/image.ron", WITH_FILES].map(str::to_owned);
     let scenes = common::scenes("scenes").into_iter().chain(named);
     let scenes = scenes.map(|name| expect_compiled(outcome(&name, Mode::Baked)));
@@ -187,14 +188,14 @@ fn a_plain_host_draws_what_raytoy_draws() {
         let size = [96, 54];
         let (text, texels) = standalone(&compiled);
         let drawn = host::one_sample(gpu, &text, &texels, size);
-        let raytoy = common::picture(gpu, &compiled, size, View::Color).rgba;
+        let raytoy = draw::picture(gpu, &compiled, size, View::Color).rgba;
         host::difference(&drawn, &raytoy).map(|why| format!("{}: {why}", compiled.scene.name))
     }));
 }
 
 #[test]
 fn a_plain_host_gathers_samples_as_raytoy_does() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     for name in [SCENE, WITH_FILES] {
         let compiled = expect_compiled(outcome(name, Mode::Baked));
         let (size, samples) = ([96, 54], 5);

@@ -1,8 +1,8 @@
 //! The filtered value of a pattern with edges beside the mean of its hard values over the footprint: a square
 //! of the floor as wide as a pixel.
 
-use crate::common;
 use crate::common::expect_none;
+use crate::device;
 use crate::patterns::{built_in, by_devices, values};
 use glam::{Vec2, Vec3};
 use raytoy::gpu::Gpu;
@@ -67,7 +67,7 @@ fn filters_give_the_mean_over_the_footprint() {
 
 #[test]
 fn a_pattern_without_a_filter_is_found() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let text = "/// Hard.\nfn hard(at: Surface) -> f32 {\n    return step(0.5, fract(at.uv.x));\n}\n";
     let world = World { files: vec![("textures/hard.wgsl".into(), text.into())], ..World::default() };
     let found = check(gpu, &world, "Hard()", 1.0, 0.03);

@@ -3,7 +3,8 @@
 use std::process::Command;
 
 use crate::common::folder::{Folder, stderr, stdout};
-use crate::common::{check_text, expect_compiled, expect_none, gpu, outcome_of};
+use crate::common::{check_text, expect_compiled, expect_none, outcome_of};
+use crate::device::gpu;
 use naga::back::glsl;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use raytoy::frame::Moment;

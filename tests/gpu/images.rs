@@ -1,7 +1,8 @@
 //! The cases as `raytoy test` sees them: pictures beside their goldens; and both number modes beside each other.
 
-use crate::common;
-use crate::common::{expect_compiled, expect_none, files, is_blessing, outcome, picture, read, root};
+use crate::common::{expect_compiled, expect_none, files, is_blessing, outcome, read, root};
+use crate::device;
+use crate::draw::picture;
 use raytoy::difference::rgb;
 use raytoy::frame::View;
 use raytoy::judge::{Limits, Verdict, judge};
@@ -14,7 +15,7 @@ const LEAST_AGREEMENT: f64 = 0.999;
 
 #[test]
 fn the_cases_pass_as_anyones_scenes_would() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let cases = find(&Sources::on_disk(&root()), &["tests/cases".into()]).expect("the folder is there");
     let bench = Bench {
         disk: Disk { here: root(), named_root: None },
@@ -43,7 +44,7 @@ fn each_golden_picture_has_a_case() {
 
 #[test]
 fn live_and_baked_numbers_give_the_same_picture() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     expect_none(files("scenes", "ron").iter().filter_map(|scene| {
         let [live, baked] = [Mode::Live, Mode::Baked].map(|mode| {
             let compiled = expect_compiled(outcome(scene, mode));
@@ -67,7 +68,7 @@ fn live_and_baked_numbers_give_the_same_picture() {
 
 #[test]
 fn a_picture_drawn_twice_is_the_same() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let compiled = expect_compiled(outcome("tests/cases/lights/soft.ron", Mode::Live));
     let draw = || picture(gpu, &compiled, [80, 60], View::Color).radiance;
     assert_eq!(draw(), draw());

@@ -3,11 +3,15 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/device.rs"]
+mod device;
 
 mod against_reference;
 mod antialiasing;
 mod capture;
 mod default_limits;
+mod diff;
+mod draw;
 mod export;
 mod filter;
 mod guard;
@@ -21,6 +25,7 @@ mod precision;
 mod probe;
 mod rays;
 mod reference;
+mod render;
 mod scales;
 mod shadows;
 mod shapes;

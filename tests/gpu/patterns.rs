@@ -1,6 +1,7 @@
 //! The library's textures and shapes for the tests that ask laws of them, and two devices to ask.
 // Each binary uses a part of it.
 
+use crate::device;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -30,7 +31,7 @@ pub fn by_devices<J: Sync, R: Send>(jobs: &[J], work: impl Fn(&Gpu, &J) -> R + S
 
 /// The device of all tests, and one of the software driver. Nothing where there is none.
 pub fn devices() -> Option<[Gpu; 2]> {
-    let first = crate::common::gpu()?;
+    let first = device::gpu()?;
     let second = Gpu::headless(&AdapterChoice::Software).expect("there is one, so there are two");
     Some([first.clone(), second])
 }

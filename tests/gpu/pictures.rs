@@ -1,6 +1,6 @@
 //! Picture files: what their bytes mean, and where a picture lies on what it is given to.
 
-use crate::common;
+use crate::device;
 use std::io::Cursor;
 use std::path::Path;
 
@@ -179,7 +179,7 @@ fn damaged_files_are_errors_in_words() {
 /// A picture of `scene` with a map of four quarters beside it, `map.png`: red, green above blue, white; the
 /// right half is as clear as `alpha` says. `height.png` is 20,001 of 65,535 everywhere.
 fn render(scene: &str, alpha: u8, size: [u32; 2]) -> Option<gpu::Picture> {
-    let gpu = common::gpu()?;
+    let gpu = device::gpu()?;
     let folder = tempfile::tempdir().unwrap();
     let colors = [RED, GREEN, BLUE, WHITE];
     let map = RgbaImage::from_fn(64, 32, |x, y| {

@@ -1,8 +1,8 @@
 //! Some thousand nasty rays at each shape, near and far, beside the reference in f64; tests/bench/shapes.rs
 //! shoots millions and prints a table.
 
-use crate::common;
 use crate::common::expect_none;
+use crate::device;
 use crate::rays::{Call, DISTANCES, SHAPES, Subject, extent};
 use glam::Vec3;
 use raytoy::gpu::{Gpu, Ray};
@@ -19,13 +19,13 @@ const NORMAL_TOLERANCE: f32 = 1e-3;
 
 #[test]
 fn crossings_and_normals_keep_their_digits() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     expect_none(SHAPES.iter().flat_map(|(name, calls)| check(gpu, name, calls)));
 }
 
 #[test]
 fn rays_that_graze_a_ring_meet_it_where_they_should() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     // Where a ray follows the inside of the ring, a hair beside it the crossing is a hundred times as far off.
     let slanted = "Torus(center: (0, 0.1, 0), axis: (0.3, 1, 0.2), major_radius: 0.8, minor_radius: 0.3)";
     let rays = [
@@ -50,7 +50,7 @@ fn rays_that_graze_a_ring_meet_it_where_they_should() {
 #[test]
 fn each_shape_has_a_line() {
     let is_known = |name: &String| SHAPES.iter().any(|(known, _)| known == name);
-    let missing = common::solved_shapes().into_iter().filter(|name| !is_known(name));
+    let missing = crate::shapes::solved_shapes().into_iter().filter(|name| !is_known(name));
     expect_none(missing.map(|name| format!("{name} has no line in SHAPES")));
 }
 

@@ -1,7 +1,7 @@
 //! A probe's answers where they are plain to see: materials at points, crossings of rays, long lists.
 
-use crate::common;
 use crate::common::{expect_compiled, outcome_of};
+use crate::device;
 use glam::{Vec2, Vec3};
 use raytoy::frame::Moment;
 use raytoy::gpu::{Probe, Ray, SurfacePoint};
@@ -14,7 +14,7 @@ const SCENE: &str = "(objects: [
 
 /// The scene with `0.7` replaced, in both modes.
 fn probes(odd: &str) -> Vec<(Probe, Vec<f32>)> {
-    let Some(gpu) = common::gpu() else { return vec![] };
+    let Some(gpu) = device::gpu() else { return vec![] };
     let probe = |mode| {
         let compiled = expect_compiled(outcome_of("a.ron", &SCENE.replace("0.7", odd), mode));
         let moment = Moment::of(&compiled.scene);

@@ -1,7 +1,7 @@
 //! The same scene a thousand times smaller and ten thousand times larger is the same picture: no acne, no leaks.
 
-use crate::common;
 use crate::common::{expect_compiled, expect_none, outcome_of};
+use crate::device;
 use raytoy::frame::Moment;
 use raytoy::gpu::{Gpu, render};
 use raytoy::wgsl::Mode;
@@ -52,7 +52,7 @@ const MOST_OFF: f64 = 0.004;
 
 #[test]
 fn a_scene_looks_the_same_at_every_scale() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     expect_none(SCENES.iter().flat_map(|(name, scene)| {
         let expected = draw(gpu, scene, 1.0);
         SCALES.iter().filter_map(move |scale| {

@@ -3,7 +3,7 @@
 
 // Its own tests are not run here.
 
-use crate::common;
+use crate::device;
 use std::ops::ControlFlow;
 
 use crate::common::{expect_compiled, expect_none, outcome_of};
@@ -127,7 +127,7 @@ struct Bits {
 
 #[test]
 fn no_shadow_bit_is_wrong() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let bits = std::env::var(BITS).map_or(FEW_BITS, |bits| bits.parse().expect("a number of bits"));
     expect_none(PLACES.iter().flat_map(|place| place.check(gpu, bits)));
 }

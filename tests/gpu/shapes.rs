@@ -1,10 +1,12 @@
 //! Each shape's crossings and normals beside the reference's: from outside, from inside, moved, turned and stretched.
 
-use crate::common;
 use crate::common::{expect_compiled, expect_none, outcome_of};
+use crate::device;
 use crate::reference;
 use raytoy::frame::{Moment, View};
 use raytoy::gpu::{Gpu, Picture, render};
+use raytoy::library::{Family, Library, Type};
+use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 
 /// A shape with arguments, and a point inside it, or beside its middle where it has no inside.
@@ -60,14 +62,14 @@ const LEAST_AGREEMENT: f64 = 0.996;
 
 #[test]
 fn crossings_and_normals_are_those_of_the_reference() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     expect_none(SHAPES.iter().flat_map(|(shape, inside)| check(gpu, shape, *inside)));
 }
 
 #[test]
 fn each_shape_is_checked() {
     let is_checked = |name: &String| SHAPES.iter().any(|(shape, _)| shape.starts_with(&format!("{name}(")));
-    let missing = common::solved_shapes().into_iter().filter(|name| !is_checked(name));
+    let missing = solved_shapes().into_iter().filter(|name| !is_checked(name));
     expect_none(missing.map(|name| format!("{name} has no line in SHAPES")));
 }
 
@@ -135,4 +137,16 @@ fn compare(expected: &reference::Picture, actual: &Picture) -> Result<(), String
         }
     }
     Ok(())
+}
+
+/// The shapes that find their crossings by equations, as the reference does. For what is marched to
+/// tests/gpu/solids.rs has laws, and for models tests/gpu/models/.
+pub fn solved_shapes() -> Vec<String> {
+    let sources = Sources::in_memory();
+    let library = Library::new(&sources, "".as_ref());
+    let is_solved = |name: &String| {
+        let function = library.find(Family::Shape, name);
+        function.is_ok_and(|f| !f.traits.is_distance && f.parameters.iter().all(|p| p.ty != Type::Model))
+    };
+    library.names(Family::Shape).into_iter().filter(is_solved).collect()
 }

@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-use crate::common::{expect_compiled, expect_none, good_scenes, gpu, outcome, outcome_of};
+use crate::common::{expect_compiled, expect_none, good_scenes, outcome, outcome_of};
+use crate::device::gpu;
 use raytoy::Compiled;
 use raytoy::capture::SAMPLE;
 use raytoy::frame::{FrameUniforms, Moment, View};

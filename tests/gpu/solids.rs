@@ -1,7 +1,7 @@
 //! Solids made of solids, and shapes that give a distance, beside a plain shape that must look the same.
 
-use crate::common;
 use crate::common::{expect_compiled, expect_none, outcome_of};
+use crate::device;
 use raytoy::frame::{Moment, View};
 use raytoy::gpu::{Gpu, Picture, render};
 use raytoy::wgsl::Mode;
@@ -92,7 +92,7 @@ const MOST_WRONG: usize = 30;
 
 #[test]
 fn combinations_are_the_bodies_that_they_describe() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     expect_none(LAWS.iter().flat_map(|(law, made, plain)| {
         VIEWS.iter().filter_map(move |(view, eye, target)| {
             let fov = if *view == "far away" { 3.0 } else { 60.0 };

@@ -1,6 +1,6 @@
 //! `raytoy test` as an author and a machine see it: goldens, settings, laws, formats, exit codes.
 
-use crate::common;
+use crate::device;
 use std::ops::Deref;
 use std::process::Output;
 
@@ -356,7 +356,7 @@ fn programs_and_browsers_get_their_own_formats() {
 impl Project {
     /// None where there is no software driver.
     fn new() -> Option<Self> {
-        common::gpu()?;
+        device::gpu()?;
         let project = Self(Folder::new());
         project.write("scenes/ball.ron", BALL);
         project.write("scenes/textures/pond.wgsl", POND);

@@ -1,7 +1,8 @@
 //! The handles of the window as pure maths: the hand's way on the screen is the thing's way in the world, and what
 //! moves is what a person would have changed.
 
-use crate::common::{expect_compiled, expect_none, gpu, outcome_of, root};
+use crate::common::{expect_compiled, expect_none, outcome_of, root};
+use crate::device::gpu;
 use glam::{Vec2, Vec3, vec2, vec3};
 use raytoy::app::handles::{Ball, Direction, Handle, Known, Movable, Place, Tripod, movables};
 use raytoy::edit::{Edit, NewValue};

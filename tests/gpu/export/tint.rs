@@ -4,7 +4,8 @@ use std::io::Write;
 use std::process::{Command, Stdio};
 
 use super::validators::skip;
-use crate::common::{REQUIRE_GPU, root};
+use crate::common::root;
+use crate::device::REQUIRE_GPU;
 
 /// What Tint has against each of `texts`, nothing where it takes one. None where there is no Tint.
 pub fn objections(texts: &[String]) -> Option<Vec<String>> {

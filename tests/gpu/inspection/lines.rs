@@ -5,7 +5,7 @@ use raytoy::Compiled;
 use raytoy::frame::{Lens, Moment};
 use raytoy::gpu::{Display, Gpu, Line, Lines, Pipeline, Region, Target, Tracer};
 
-use crate::common;
+use crate::device;
 
 const SIZE: [u32; 2] = [240, 160];
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -53,7 +53,7 @@ fn points<'a>(line: &Line, lens: &'a Lens) -> impl Iterator<Item = Vec3> + 'a {
 
 #[test]
 fn a_line_is_faint_exactly_where_a_ball_is_nearer() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let text = "(camera: (eye: (1, 2, 6), target: (0, 0, 0), fov_deg: 50), objects: [Sphere()])";
     let compiled = super::scene(text);
     let lens = Lens::new(&compiled.scene.camera, SIZE);
@@ -93,7 +93,7 @@ fn a_line_is_faint_exactly_where_a_ball_is_nearer() {
 
 #[test]
 fn a_line_lies_where_its_points_are_seen() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let compiled = super::scene(
         "(camera: (eye: (0, 1, 6), target: (0.3, 0, 0)), objects: [Sphere(center: (0, 99, 0))])",
     );
@@ -117,7 +117,7 @@ fn a_line_lies_where_its_points_are_seen() {
 
 #[test]
 fn a_picture_may_lie_anywhere_on_the_target() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let compiled = super::scene("(camera: (eye: (0, 0, 6), target: (0, 0, 0)), objects: [Sphere()])");
     let size = [600, 400];
     let place = Target { corner: [37.0, 21.0], zoom: 2.0 };
@@ -133,7 +133,7 @@ fn a_picture_may_lie_anywhere_on_the_target() {
 
 #[test]
 fn a_line_on_a_surface_is_not_hidden_by_it() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let text = "(camera: (eye: (0, 1, 6), target: (0, 0, 0)), objects: [Plane(), Sphere(center: (2, 0, -9), radius: 3)])";
     let compiled = super::scene(text);
     let lens = Lens::new(&compiled.scene.camera, SIZE);
@@ -158,7 +158,7 @@ fn a_line_on_a_surface_is_not_hidden_by_it() {
 
 #[test]
 fn what_lies_behind_the_eye_is_cut_off() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let compiled =
         super::scene("(camera: (eye: (0, 0, 6), target: (0, 0, 0)), objects: [Sphere(center: (0, 99, 0))])");
     let lens = Lens::new(&compiled.scene.camera, SIZE);

@@ -4,8 +4,8 @@ mod gizmos;
 mod lines;
 mod views;
 
-use crate::common;
 use crate::common::{expect_compiled, expect_none, outcome, outcome_of};
+use crate::{device, draw};
 use glam::{Vec2, Vec3, vec2};
 use raytoy::Compiled;
 use raytoy::frame::{Lens, Moment, View};
@@ -31,7 +31,7 @@ fn middles(size: [u32; 2]) -> impl Iterator<Item = (u32, u32, Vec2)> {
 }
 
 fn view(gpu: &Gpu, compiled: &Compiled, view: View) -> Picture {
-    common::picture(gpu, compiled, SIZE, view)
+    draw::picture(gpu, compiled, SIZE, view)
 }
 
 /// The middle pixel of a picture.
@@ -41,7 +41,7 @@ fn middle(picture: &Picture) -> Vec3 {
 
 #[test]
 fn a_pixel_is_what_its_ray_meets() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     // Shapes, moved ones, parts of solids, marched ones, bumps, mirrors and glass.
     let scenes =
         ["scenes/shapes.ron", "scenes/solids.ron", "scenes/glass.ron", "tests/cases/materials/bump.ron"];
@@ -83,7 +83,7 @@ fn a_pixel_is_what_its_ray_meets() {
 
 #[test]
 fn nothing_is_under_the_sky_or_beside_the_picture() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let seen =
         identity(gpu, &scene("(camera: (eye: (0, 0, 5), target: (0, 0, 0)), objects: [Sphere()])"), SIZE);
     assert_eq!(seen.size(), SIZE);
@@ -97,7 +97,7 @@ fn nothing_is_under_the_sky_or_beside_the_picture() {
 
 #[test]
 fn an_outline_is_two_pixels_along_the_border() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let text = "(camera: (eye: (0, 0, 5), target: (0, 0, 0)), objects: [
         Plane(normal: (0, 0, 1), offset: -9), Sphere(name: \"left\", center: (-0.7, 0, 0)), Sphere(center: (0.7, 0, 0))])";
     let seen = identity(gpu, &scene(text), SIZE);
@@ -126,7 +126,7 @@ fn an_outline_is_two_pixels_along_the_border() {
 
 #[test]
 fn a_floor_is_not_outlined_where_things_stand_on_it() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let text = "(camera: (eye: (0, 2, 7), target: (0, 0.7, 0)), objects: [Plane(name: \"floor\"),
         Sphere(center: (-1.3, 1, 0)), Box(min: (0.6, 0, -0.5), max: (2, 1.5, 0.5)), Sphere(center: (0, 0.4, 2), radius: 0.2)])";
     let seen = identity(gpu, &scene(text), SIZE);
@@ -169,7 +169,7 @@ fn a_lens_finds_the_pixels_of_points_and_the_points_of_pixels() {
 
 #[test]
 fn balls_stand_where_the_lens_has_them() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let centers = [vec2(-1.8, 1.0), vec2(0.0, 0.0), vec2(1.7, -0.9), vec2(2.0, 1.1), vec2(-0.4, 0.8)];
     let balls = centers.map(|c| format!("Sphere(center: ({}, {}, {}), radius: 0.15)", c.x, c.y, c.x - c.y));
     let text = format!(
@@ -194,7 +194,7 @@ fn balls_stand_where_the_lens_has_them() {
 
 #[test]
 fn light_that_is_no_number_is_marked() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let texture = "/// Right of x = 0 no number.\nfn broken(at: Surface) -> vec3f {\n    return vec3f(sqrt(-at.position.x));\n}\n";
     let text = "(camera: (eye: (0, 0, 5), target: (0, 0, 0)), ambient: 1, objects: [Box(material: (color: Broken()))])";
     let sources = Sources::in_memory().with("a.ron", text).with("textures/broken.wgsl", texture);
@@ -217,7 +217,7 @@ fn light_that_is_no_number_is_marked() {
 
 #[test]
 fn cost_counts_the_tests_of_rays() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     // Out of the red of the ramp, up to its first stop, violet, after 4 doublings.
     let cost = |rest: &str| {
         let text = format!("(camera: (eye: (0, 0, 5), target: (0, 0, 0)), {rest})");
@@ -250,7 +250,7 @@ fn cost_counts_the_tests_of_rays() {
 
 #[test]
 fn faces_are_told_from_their_backs() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let facing = |text: &str| middle(&view(gpu, &scene(text), View::Facing));
     let outside = facing("(camera: (eye: (0, 0, 5), target: (0, 0, 0)), objects: [Sphere()])");
     let inside = facing("(camera: (eye: (0, 0, 0.5), target: (0, 0, 0)), objects: [Sphere()])");
@@ -266,7 +266,7 @@ fn faces_are_told_from_their_backs() {
 
 #[test]
 fn an_isolated_object_is_alone_with_its_body() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let text = "(camera: (eye: (0, 3, 8), target: (0, 0, 0)), background: 0.5, lights: [Point(position: (0, 9, 0))],
         objects: [
             Plane(name: \"floor\", offset: -1), Sphere(name: \"ball\", center: (-2, 0, 0)),
@@ -306,7 +306,7 @@ fn count_met(gpu: &Gpu, compiled: &Compiled) -> usize {
 
 #[test]
 fn a_material_on_stage_is_the_scenes_own() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let text = "(textures: { \"red\": Stripes(even: (1, 0, 0), odd: (1, 0, 0)) },
         materials: { \"a\": (color: (0, 0, 1)), \"b\": (color: \"red\", reflectivity: 0.2) },
         objects: [Sphere(material: \"a\"), Sphere(material: \"b\")])";

@@ -1,6 +1,6 @@
 //! Two views in one picture, and numbers as colors.
 
-use crate::common;
+use crate::{device, draw};
 use glam::Vec3;
 use raytoy::export::{Language, export};
 use raytoy::frame::{Moment, Split, View};
@@ -28,7 +28,7 @@ fn drawn(gpu: &Gpu, compiled: &Compiled, moment: &Moment) -> Picture {
 
 #[test]
 fn each_half_of_a_split_picture_is_that_of_its_view_alone() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let compiled = scene(BALLS);
     let own = Moment::of(&compiled.scene);
     let alone = |view| drawn(gpu, &compiled, &Moment { view, ..own });
@@ -111,7 +111,7 @@ fn hold(picture: &Picture, reach: f32, number: impl Fn(u32, u32) -> Option<f32>)
 
 #[test]
 fn a_number_is_blue_below_0_and_red_above_with_lines_at_the_tenths() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let text = "(camera: (eye: (0.3, 0.2, 5), target: (0, 0, 0)),
         objects: [Plane(normal: (0, 0, 1)), Sphere(name: \"ball\", center: (0, 0, 0.2))])";
     let compiled = scene(text);
@@ -151,7 +151,7 @@ fn a_number_is_blue_below_0_and_red_above_with_lines_at_the_tenths() {
 
 #[test]
 fn the_pattern_is_what_a_color_is_made_of() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let with = |color: &str| {
         scene(&format!(
             "(camera: (eye: (0, 0, 5), target: (0, 0, 0)), ambient: 1, render: (texture_filter: false),
@@ -160,7 +160,7 @@ fn the_pattern_is_what_a_color_is_made_of() {
         ))
     };
     // A color holds the number itself, in all of its range.
-    let grey = common::picture(gpu, &with("\"p\""), SIZE, View::Material);
+    let grey = draw::picture(gpu, &with("\"p\""), SIZE, View::Material);
     let number =
         |x: u32, y: u32| (x < SIZE[0] && y < SIZE[1]).then(|| grey.radiance[(y * SIZE[0] + x) as usize][0]);
     let ramp = "Ramp(by: \"p\", stops: [(0, (1, 0, 0)), (0.5, 0.2), (1, (0, 0, 1))])";
@@ -183,7 +183,7 @@ fn the_pattern_is_what_a_color_is_made_of() {
 
 #[test]
 fn what_is_measured_changes_nothing_else() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let text = "(camera: (eye: (0, 1, 5), target: (0, 0, 0)), lights: [Point(position: (2, 4, 5))],
         textures: { \"p\": Noise(), \"unused\": Noise(scale: 3) },
         objects: [Sphere(material: (color: Ramp(by: \"p\", stops: [(0, 0.1), (1, 0.9)]))), Plane(offset: -1)])";
@@ -206,7 +206,7 @@ fn what_is_measured_changes_nothing_else() {
 
 #[test]
 fn a_number_that_is_none_is_magenta() {
-    let Some(gpu) = common::gpu() else { return };
+    let Some(gpu) = device::gpu() else { return };
     let texture =
         "/// Left of x = 0 no number.\nfn broken(at: Surface) -> f32 {\n    return sqrt(at.position.x);\n}\n";
     let text = "(camera: (eye: (0, 0, 5), target: (0, 0, 0)), textures: { \"b\": Broken() },

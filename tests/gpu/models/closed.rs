@@ -7,7 +7,8 @@ use super::Subject;
 use super::brute_force::Soup;
 use super::random::Random;
 use super::shapes::MODELS;
-use crate::common::{expect_none, gpu};
+use crate::common::expect_none;
+use crate::device::gpu;
 
 /// From inside each model, through its edges and corners.
 const RAYS: usize = 25_000;

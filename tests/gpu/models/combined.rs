@@ -8,7 +8,8 @@ use super::brute_force::Soup;
 use super::crossings::is_clear;
 use super::random::Random;
 use super::{compiled, probe};
-use crate::common::{expect_none, gpu};
+use crate::common::expect_none;
+use crate::device::gpu;
 
 const RAYS: usize = 1500;
 /// The share of rays that may change sides where they should not, or not where they should.

@@ -10,7 +10,8 @@ use super::aim::{DISTANCES, ray};
 use super::brute_force::{Met, Soup, distance};
 use super::random::Random;
 use super::shapes::MODELS;
-use crate::common::{expect_none, gpu};
+use crate::common::expect_none;
+use crate::device::gpu;
 
 /// At each model.
 const RAYS: usize = 12_000;

@@ -11,7 +11,8 @@ use raytoy::{Compiled, compile};
 
 use super::random::Random;
 use super::{decoded, shapes};
-use crate::common::{expect_compiled, gpu};
+use crate::common::expect_compiled;
+use crate::device::gpu;
 
 const FAR: [DVec3; 3] = [
     DVec3::new(512_345.625, 5_401_234.375, 431.5),

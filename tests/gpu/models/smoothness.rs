@@ -8,7 +8,7 @@ use raytoy::gpu::{Crossing, Ray};
 use super::brute_force::Soup;
 use super::random::Random;
 use super::{Subject, compiled, decoded, probe, shapes};
-use crate::common::gpu;
+use crate::device::gpu;
 
 /// Between two parallels of the ball that is called ball.obj, radians.
 const FACET: f64 = PI / 24.0;

@@ -11,7 +11,9 @@ use raytoy::wgsl::Mode;
 
 use super::reading_obj::faces;
 use super::shapes;
-use crate::common::{expect_compiled, gpu, picture};
+use crate::common::expect_compiled;
+use crate::device::gpu;
+use crate::draw::picture;
 
 fn facet(triangle: &[Corner; 3]) -> Vec3 {
     let [a, b, c] = triangle.map(|corner| corner.position);

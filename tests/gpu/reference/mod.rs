@@ -27,7 +27,6 @@ mod texture;
 mod transform;
 mod vector;
 
-#[allow(unused_imports)]
 pub use self::{hit::nearest_hit, scene::Scene, shapes::Shape, surface::outward_normal};
 
 use std::panic::resume_unwind;
