@@ -1,4 +1,4 @@
-//! Exports: each scene in each language, judged by those who read it; drawn without raytoy; two as their goldens say.
+//! Exports: each scene in each language, judged by those who read it; drawn without raytoy; the heads of two.
 
 mod bodies;
 mod files;
@@ -158,14 +158,48 @@ fn a_live_scene_is_exported_as_a_baked_one() {
     assert!(export(&live, Language::Wgsl) == export(&baked, Language::Wgsl));
 }
 
+/// The head, which files of raytoy's follow, and each line that is in none of them.
 #[test]
-fn exports_are_as_their_goldens_say() {
+fn a_standalone_text_is_its_head_the_scene_and_files_of_raytoys() {
     let compiled = expect_compiled(outcome(SCENE, Mode::Baked));
-    let goldens = [(Language::Wgsl, "standalone.wgsl"), (Language::Glsl, "glsl")];
-    expect_none(goldens.into_iter().filter_map(|(language, ending)| {
-        let golden = Path::new(SCENE).with_extension(ending);
-        check_text(&golden.to_string_lossy(), &text_of(&compiled, language)).err()
-    }));
+    let text = text_of(&compiled, Language::Wgsl);
+    let (head, rest) = text.split_once("\n\n").expect("an empty line is under the head");
+    let mut shipped: Vec<(String, String)> = ["shaders", "textures"]
+        .iter()
+        .flat_map(|folder| common::files(folder, "wgsl"))
+        .map(|file| (common::read(&file), file))
+        .collect();
+    // None is the start of a longer one that follows.
+    shipped.sort_by_key(|(section, _)| std::cmp::Reverse(section.len()));
+    let (_, scene) = compiled.source.generated().split_once("\n\n").expect("it has a head of its own");
+    let mut rest = rest.strip_prefix(scene).expect("the scene's text is first");
+    let mut golden = format!("{head}\n\n(stands_alone.wgsl, below its head)\n");
+    while !rest.is_empty() {
+        if let Some((section, file)) = shipped.iter().find(|(section, _)| rest.starts_with(section)) {
+            golden += &format!("({file})\n");
+            rest = rest[section.len()..].trim_start_matches('\n');
+        } else {
+            let (line, below) = rest.split_once('\n').unwrap_or((rest, ""));
+            golden += &format!("{line}\n");
+            rest = below;
+        }
+    }
+    expect_none(check_text("tests/cases/export/stands_alone.standalone.txt", &golden).err());
+}
+
+/// The head, and the two functions that its reader looks for; naga translates the rest, and others judge that.
+#[test]
+fn a_shadertoy_is_its_head_a_function_of_numbers_and_one_for_the_host() {
+    let text = text_of(&expect_compiled(outcome(SCENE, Mode::Baked)), Language::Glsl);
+    let (head, rest) = text.split_once("\n\n").expect("an empty line is under the head");
+    let function = |begins: &str| {
+        let from = rest.find(begins).unwrap_or_else(|| panic!("there is no {begins}"));
+        let length = rest[from..].find("\n}\n").expect("it ends") + 3;
+        &rest[from..from + length]
+    };
+    let functions = ["void setScene() {", "void mainImage("].map(function).join("\n");
+    let golden = format!("{head}\n\n{functions}");
+    expect_none(check_text("tests/cases/export/stands_alone.glsl.txt", &golden).err());
 }
 
 #[test]

@@ -26,9 +26,7 @@ fn each_scene_generates_its_golden() {
 
 #[test]
 fn each_golden_has_a_scene() {
-    // tests/gpu/export.rs compares those that end in .standalone.wgsl.
-    let of_scene = |scene: &String| [golden_of(scene), scene.replace(".ron", ".standalone.wgsl")];
-    let goldens: Vec<String> = good_scenes().iter().flat_map(of_scene).collect();
+    let goldens: Vec<String> = good_scenes().iter().map(|scene| golden_of(scene)).collect();
     let is_snippet =
         |file: &String| ["/textures/", "/shapes/", "/errors/"].iter().any(|folder| file.contains(folder));
     let orphans =
