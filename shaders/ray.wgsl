@@ -3,6 +3,9 @@
 /// What a shape returns for a ray that it does not meet; every real t is smaller.
 const NO_HIT: f32 = 1e30;
 
+/// What is shorter has no direction: raytoy refuses ends that are as near.
+const LEAST_SIZE: f32 = 1e-9;
+
 /// The points origin + t·direction with t_min < t < t_max.
 /// direction need not have length 1: t counts in it.
 struct Ray {

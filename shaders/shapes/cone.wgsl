@@ -1,5 +1,6 @@
 /// A cone, whole or cut off, closed by two discs.
 /// moves with base, top
+/// base differs from top
 ///
 /// base = (0, 0, 0): the middle of one disc
 /// top = (0, 1, 0): the middle of the other, or the tip
@@ -7,7 +8,10 @@
 /// top_radius = 0, 0 to 100000: of the disc at the top; 0 makes a tip
 fn cone(ray: Ray, base: vec3f, top: vec3f, base_radius: f32, top_radius: f32) -> f32 {
     let center = 0.5 * (base + top);
-    let size = max(distance(base, top), 1e-20);
+    let size = distance(base, top);
+    if size < LEAST_SIZE {
+        return NO_HIT;
+    }
     let axis = (top - base) / size;
     let middle = nearestApproach(ray, center);
     let nearest = ray.origin - center + middle * ray.direction;

@@ -1,6 +1,7 @@
 /// A flat disc, or a ring cut from it; seen from both sides.
 /// encloses nothing, so that it cannot be a part of a solid
 /// moves with center
+/// inner_radius is less than radius
 ///
 /// center = (0, 0, 0): the middle
 /// normal = (0, 1, 0), nonzero: the way the disc faces; any length

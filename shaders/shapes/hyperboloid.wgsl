@@ -1,5 +1,6 @@
 /// A cooling tower or an hourglass: a hyperbola turned around its axis, closed by two discs.
 /// moves with base, top
+/// base differs from top
 ///
 /// base = (0, 0, 0): the middle of one disc
 /// top = (0, 1, 0): the middle of the other
@@ -7,7 +8,10 @@
 /// waist_radius = 0.5, 0 to 100000: halfway between them; wider than the ends, it makes a barrel
 fn hyperboloid(ray: Ray, base: vec3f, top: vec3f, end_radius: f32, waist_radius: f32) -> f32 {
     let center = 0.5 * (base + top);
-    let size = max(distance(base, top), 1e-20);
+    let size = distance(base, top);
+    if size < LEAST_SIZE {
+        return NO_HIT;
+    }
     let axis = (top - base) / size;
     let middle = nearestApproach(ray, center);
     let nearest = ray.origin - center + middle * ray.direction;

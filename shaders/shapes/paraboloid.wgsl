@@ -1,12 +1,16 @@
 /// A dome: a parabola turned around its axis, closed by a disc.
 /// moves with base, top
+/// base differs from top
 ///
 /// base = (0, 0, 0): the middle of the disc
 /// top = (0, 1, 0): the highest point
 /// radius = 1, 0.00001 to 100000: of the disc
 fn paraboloid(ray: Ray, base: vec3f, top: vec3f, radius: f32) -> f32 {
     let center = 0.5 * (base + top);
-    let size = max(distance(base, top), 1e-20);
+    let size = distance(base, top);
+    if size < LEAST_SIZE {
+        return NO_HIT;
+    }
     let axis = (top - base) / size;
     let middle = nearestApproach(ray, center);
     let nearest = ray.origin - center + middle * ray.direction;

@@ -1,6 +1,7 @@
 /// A parallelogram, seen from both sides.
 /// encloses nothing, so that it cannot be a part of a solid
 /// moves with corner
+/// u is not along v
 ///
 /// corner: the corner where both sides start
 /// u: one side, from the corner

@@ -1,5 +1,6 @@
 /// A box along the axes whose edges and corners are rounded off.
 /// moves with min, max
+/// min differs from max along two axes
 ///
 /// min = (-1, -1, -1): the corner with the smallest coordinates, before rounding
 /// max = (1, 1, 1): the corner opposite

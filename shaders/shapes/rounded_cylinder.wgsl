@@ -1,5 +1,6 @@
 /// A cylinder whose two rims are rounded off.
 /// moves with base, top
+/// base differs from top
 ///
 /// base = (0, 0, 0): the middle of one end
 /// top = (0, 1, 0): the middle of the other
@@ -8,7 +9,10 @@
 fn roundedCylinder(ray: Ray, base: vec3f, top: vec3f, radius: f32, rounding: f32) -> f32 {
     let center = 0.5 * (base + top);
     let size = distance(base, top);
-    let axis = (top - base) / max(size, 1e-20);
+    if size < LEAST_SIZE {
+        return NO_HIT;
+    }
+    let axis = (top - base) / size;
     let middle = nearestApproach(ray, center);
     let nearest = ray.origin - center + middle * ray.direction;
     let height = dot(nearest, axis);

@@ -1,6 +1,7 @@
 /// A triangle, seen from both sides.
 /// encloses nothing, so that it cannot be a part of a solid
 /// moves with a, b, c
+/// no line holds a, b, c
 ///
 /// a: a corner
 /// b: the next corner

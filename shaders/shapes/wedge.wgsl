@@ -1,5 +1,6 @@
 /// A ramp: the half of a box below a diagonal.
 /// moves with min, max
+/// min differs from max along two axes
 ///
 /// min = (-1, -1, -1): the corner with the smallest coordinates, at the foot of the ramp
 /// max = (1, 1, 1): the corner opposite; the ramp rises along x up to it

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Const, Type};
+use super::{Condition, Const, Type};
 
 /// A shape, texture or mapping.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +18,8 @@ pub struct Function {
     pub parameters: Vec<Parameter>,
     /// Of a shape: what it is besides a surface.
     pub traits: Traits,
+    /// Of a shape: what its numbers keep to among each other.
+    pub conditions: Vec<Condition>,
     /// The file's name and text.
     pub file: String,
     pub text: Arc<str>,

@@ -67,17 +67,18 @@ impl<'a> Header<'a> {
         let mut parameters: Vec<Parameter> =
             own.iter().filter_map(|d| self.parameter(d, &docs, problems)).collect();
         self.check_strangers(own, &docs, problems);
-        let traits = match kind {
+        let (traits, conditions) = match kind {
             Kind::Shape => {
                 self.mark_points(&mut parameters, &docs, problems);
-                self.shape_traits(own, &docs, problems)
+                let traits = self.shape_traits(own, &docs, problems);
+                (traits, self.conditions(&parameters, &docs, problems))
             }
-            _ => Traits::default(),
+            _ => (Traits::default(), vec![]),
         };
         let caption = docs.first().map_or("", |(line, _)| line).trim_end_matches('.').to_owned();
         let (file, text) = (self.file.to_owned(), self.text.clone());
         let wgsl_name = self.wgsl_name.clone();
-        Some(Function { name, wgsl_name, kind, caption, parameters, traits, file, text })
+        Some(Function { name, wgsl_name, kind, caption, parameters, traits, conditions, file, text })
     }
 
     /// The signature of `fn name`.

@@ -3,6 +3,7 @@
 //! In: [`Sources`] and the folder of a scene. Out: [`Function`]s by the names that scenes use.
 
 mod color;
+mod condition;
 mod declarations;
 mod doc_line;
 mod function;
@@ -24,6 +25,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex};
 
 pub use color::{parse_color, parse_css};
+pub use condition::{Condition, Relation};
 pub use function::{Function, Kind, Parameter, Traits, name_of};
 pub use image::{Channel, Image, Level, Reading};
 pub use model::{Corner, Model};

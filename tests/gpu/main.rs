@@ -29,6 +29,7 @@ mod render;
 mod scales;
 mod shadows;
 mod shapes;
+mod sizeless;
 mod sketch;
 mod solids;
 mod suite;

@@ -1,6 +1,7 @@
 //! From what the author wrote to a scene without open questions: the only file that refuses a scene.
 
 mod colors;
+mod conditions;
 mod declared;
 mod files;
 mod forms;
@@ -177,7 +178,7 @@ impl<'a> Resolver<'a> {
         let fov = fields.number(self, "fov_deg").to_radians();
         fields.finish(self);
         let forward = target - eye;
-        if forward.length() == 0.0 {
+        if forward.length() < 1e-9 {
             self.error(&written.span, "`eye` and `target` are the same point");
         } else if forward.normalize().cross(up.normalize_or_zero()).length() < 1e-5 {
             let problem = self.error(&written.span, "`up` points along the view");

@@ -156,6 +156,7 @@ impl Resolver<'_> {
             arguments.extend(argument);
         }
         fields.finish(self);
+        self.check_conditions(written, &shape, &arguments);
         let origin = self.origin(shape_name, &arguments);
         let moved = DAffine3::from_translation(origin);
         let to_world = match origin == DVec3::ZERO {

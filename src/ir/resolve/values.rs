@@ -8,6 +8,8 @@ use crate::scene::{Kind, Value};
 
 /// Beyond this f32 loses the digits that a picture needs.
 const LARGEST: f64 = 1e9;
+/// Below this the square of a length is nothing.
+const LEAST_LENGTH: f32 = 1e-12;
 
 impl Resolver<'_> {
     /// "expected …, found …".
@@ -65,7 +67,7 @@ impl Resolver<'_> {
             self.mismatch(value, parameter.ty.describe());
             return None;
         }
-        if parameter.nonzero && numbers.iter().all(|n| *n == 0.0) {
+        if parameter.nonzero && numbers.iter().all(|n| n.abs() < LEAST_LENGTH) {
             self.error(&value.span, format!("`{}` has no length", parameter.name));
             return None;
         }

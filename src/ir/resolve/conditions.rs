@@ -1,0 +1,53 @@
+//! Shapes without a size: points that coincide, sides that lie along each other.
+
+use super::Resolver;
+use crate::ir::Value;
+use crate::library::{Condition, Const, Function, Relation};
+use crate::scene::{self, Kind};
+
+impl Resolver<'_> {
+    /// Reports what a shape with these arguments does not keep to: nothing would be seen of it, or specks.
+    pub fn check_conditions(&mut self, written: &scene::Value, shape: &Function, arguments: &[Value]) {
+        let constants: Vec<Option<Const>> = arguments
+            .iter()
+            .map(|argument| match argument {
+                Value::Const(constant) => Some(*constant),
+                _ => None,
+            })
+            .collect();
+        // What is missing has been reported, and shifts those behind it.
+        if constants.len() < shape.parameters.len() {
+            return;
+        }
+        for condition in shape.conditions.iter().filter(|condition| !condition.holds(&constants)) {
+            self.report(written, shape, condition);
+        }
+    }
+
+    fn report(&mut self, written: &scene::Value, shape: &Function, condition: &Condition) {
+        let names: Vec<&str> =
+            condition.parameters.iter().map(|index| shape.parameters[*index].name.as_str()).collect();
+        let all = match &names[..] {
+            [a, b, c] => format!("`{a}`, `{b}` and `{c}`"),
+            names => names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(" and "),
+        };
+        let (message, advice) = match condition.relation {
+            Relation::Apart => (format!("{all} are the same point"), "move one of them"),
+            Relation::ApartAlongTwoAxes => {
+                (format!("{all} differ along fewer than two axes"), "move one of them")
+            }
+            Relation::Slanted => (format!("{all} lie along one line"), "turn one of them"),
+            Relation::OffLine => (format!("{all} lie on one line"), "move one of them off it"),
+            Relation::Less => {
+                (format!("`{}` is not less than `{}`", names[0], names[1]), "change one of them")
+            }
+        };
+        // At the last of them that is written, else at the whole.
+        let Kind::Record(record) = &written.kind else { return };
+        let is_named = |field: &&scene::Field| names.contains(&field.name.text.as_str());
+        let span = record.fields.iter().rev().find(is_named).map_or(&written.span, |field| &field.value.span);
+        let help =
+            format!("{advice}, or leave the object out: nothing would be seen of this `{}`", shape.name);
+        self.error(span, message).help.push(help);
+    }
+}
