@@ -28,6 +28,8 @@ pub enum GpuError {
     Refused(String),
     /// The device is gone or does not answer.
     Lost(String),
+    /// raytoy itself is wrong: it has not guarded the loop of the author's at this place.
+    Unguarded(String),
     /// A loop of the author's did not end by itself: which.
     Endless(Report),
 }
@@ -38,6 +40,11 @@ impl std::fmt::Display for GpuError {
             GpuError::NoAdapter(why) => f.write_str(why),
             GpuError::Refused(why) => write!(f, "the GPU's driver refuses: {why}"),
             GpuError::Lost(why) => write!(f, "the GPU does not answer: {why}"),
+            GpuError::Unguarded(place) => write!(
+                f,
+                "internal error: the loop at {place} has no guard, and could keep the GPU for ever; \
+                 please report this, with that file"
+            ),
             GpuError::Endless(report) => write!(f, "{report}"),
         }
     }

@@ -36,7 +36,7 @@ impl Pipeline {
         check_numbers(gpu, compiled)?;
         check_models(gpu, &compiled.scene)?;
         Guard::check(gpu, compiled)?;
-        checked(gpu, || make(gpu, compiled))
+        checked(gpu, compiled, || make(gpu, compiled))
     }
 
     /// Waits until what it draws is there.
@@ -70,8 +70,18 @@ pub(super) fn check_numbers(gpu: &Gpu, compiled: &Compiled) -> Result<(), GpuErr
     Err(GpuError::Refused(why))
 }
 
-/// What `make` makes, unless the driver has something against it.
-pub(super) fn checked<T: Send>(gpu: &Gpu, make: impl FnOnce() -> T + Send) -> Result<T, GpuError> {
+/// What `make` makes of `compiled`, unless the driver has something against it.
+///
+/// # Errors
+/// Where the driver refuses, or a loop could be endless.
+pub(super) fn checked<T: Send>(
+    gpu: &Gpu,
+    compiled: &Compiled,
+    make: impl FnOnce() -> T + Send,
+) -> Result<T, GpuError> {
+    if let Some(place) = compiled.module.unguarded() {
+        return Err(GpuError::Unguarded(place.into()));
+    }
     // Scopes belong to a thread, so they stand on the one that makes the pipeline.
     crate::compile::on_deep_stack(|| {
         let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
@@ -101,7 +111,8 @@ pub(super) fn shader_module(gpu: &Gpu, compiled: &Compiled) -> wgpu::ShaderModul
     // third of a frame on a GPU.
     let checks =
         wgpu::ShaderRuntimeChecks { force_loop_bounding: false, ..wgpu::ShaderRuntimeChecks::checked() };
-    // SAFETY: no loop is endless. `module::guard` ends an author's, and those that ship are bounded.
+    // SAFETY: no loop is endless. `module::guard` ends those of authors; where `module::bounded` finds one
+    // without a guard, `checked` refuses the module. Those that ship are bounded.
     unsafe { gpu.device.create_shader_module_trusted(descriptor, checks) }
 }
 

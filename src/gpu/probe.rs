@@ -85,7 +85,7 @@ impl Probe {
         Kernel::check(gpu)?;
         let probed = compiled.probed().map_err(|problem| GpuError::Refused(problem.message))?;
         let frame = FrameUniforms::new(moment, &compiled.scene.render, 0, size, 0, [0.0; 2]);
-        checked(gpu, || {
+        checked(gpu, &probed, || {
             let device = &gpu.device;
             let module = pipeline::shader_module(gpu, &probed);
             let stage = wgpu::ShaderStages::COMPUTE;

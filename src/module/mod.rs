@@ -2,6 +2,7 @@
 //!
 //! In: a [`Source`]. Out: a [`Module`] that wgpu will take, or diagnostics. Loops of the author's end in it.
 
+mod bounded;
 mod guard;
 pub mod nesting;
 
@@ -20,6 +21,7 @@ pub struct Module {
     naga: Arc<naga::Module>,
     info: Arc<ModuleInfo>,
     loops: Arc<[Report]>,
+    unguarded: Option<String>,
     warning: Option<Diagnostic>,
 }
 
@@ -36,6 +38,12 @@ impl Module {
     /// What to tell of each loop that shaders/guard.wgsl may have to end, in the order of its numbers.
     pub fn loops(&self) -> &Arc<[Report]> {
         &self.loops
+    }
+
+    /// The file and line of a loop of the author's that nothing would end; none unless this program is wrong,
+    /// or the module is for another one.
+    pub fn unguarded(&self) -> Option<&str> {
+        self.unguarded.as_deref()
     }
 
     /// What to tell of it although a driver takes it.
@@ -80,8 +88,9 @@ pub fn validate(source: &Source) -> Result<Module, Diagnostic> {
         }
         explained(problem)
     })?;
+    let unguarded = bounded::unguarded(&module, source);
     let warning = nesting::warning(&module, source);
-    Ok(Module { naga: Arc::new(module), info: Arc::new(info), loops: loops.into(), warning })
+    Ok(Module { naga: Arc::new(module), info: Arc::new(info), loops: loops.into(), unguarded, warning })
 }
 
 /// Whether that is in a file beside the scene.

@@ -97,8 +97,8 @@ fn shared() -> impl Iterator<Item = (&'static str, &'static str)> {
     })
 }
 
-/// Whether a word of the text begins a loop. One in a comment may count, too, but none may be missed: wgpu
-/// does not count loops (`gpu/pipeline.rs`).
+/// Whether a word of the text begins a loop. One in a comment may count, too, but none may be missed: a
+/// module with a loop that is (`module/bounded.rs`) is not drawn.
 fn has_loop(text: &str) -> bool {
     // Behind `/*`, two slashes may be part of a comment that ends on their line.
     let is_plain = !text.contains("/*");

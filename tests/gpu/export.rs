@@ -8,7 +8,6 @@ mod validators;
 
 use crate::common;
 use crate::{device, draw};
-use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::common::{check_text, expect_compiled, expect_none, good_scenes, outcome, outcome_of};

@@ -8,7 +8,8 @@ use crate::device::gpu;
 use naga::back::glsl;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use raytoy::frame::Moment;
-use raytoy::gpu::{Gpu, GpuError, Region, Renderer};
+use raytoy::gpu::{Gpu, GpuError, Pipeline, Region, Renderer};
+use raytoy::module;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 use raytoy::{Compiled, compile};
@@ -153,6 +154,58 @@ fn what_ships_is_not_guarded_and_what_hides_it_is() {
     let hiding = STEPS.replace("fn steps", "fn mandelbrot");
     let hiding = compiled("mandelbrot", &hiding, "Mandelbrot()", Mode::Baked);
     assert_eq!(hiding.module.loops().len(), 1);
+}
+
+/// Each kind of loop, in a module that lacks the guard as if no word of the text had begun a loop.
+#[test]
+fn a_loop_that_has_no_guard_is_not_drawn() {
+    let within = |body: &str| {
+        format!("/// A loop.\nfn steps(at: Surface) -> f32 {{\n    var x = 1.0;\n{body}\n    return x;\n}}\n")
+    };
+    for (body, line) in [
+        ("    for (var i = 0; i < 9; i++) { x += at.uv.x; }", 4),
+        ("    while x < 9.0 {\n        x += 1.0;\n    }", 4),
+        (
+            "    loop {\n        x += 1.0;\n        continuing {\n            break if x > 9.0;\n        }\n    }",
+            4,
+        ),
+        (
+            "    switch u32(x) {\n        case 1u: {\n            while x < 9.0 { x += 1.0; }\n        }\n        default: {}\n    }",
+            6,
+        ),
+        ("    if x < 2.0 { x = 0.0; } else {\n        { while x < 9.0 { x += 1.0; } }\n    }", 5),
+    ] {
+        let guarded = compiled("steps", &within(body), "Steps()", Mode::Baked);
+        assert_eq!(guarded.module.unguarded(), None, "{body}");
+        let mut source = guarded.source.clone();
+        source.sections.retain(|section| section.name != "shaders/guard.wgsl");
+        let module = module::validate(&source).expect("it needs no guard to be valid");
+        let place = format!("textures/steps.wgsl:{line}");
+        assert_eq!(module.unguarded(), Some(place.as_str()), "{body}");
+        let Some(gpu) = gpu() else { continue };
+        let broken = Compiled { source, module, ..guarded };
+        let refused = Pipeline::build(gpu, &broken).err();
+        assert_eq!(refused, Some(GpuError::Unguarded(place)));
+    }
+}
+
+/// Its author has called a function as the guard's is.
+#[test]
+fn a_function_of_the_authors_is_no_guard() {
+    let asks = STEPS.replace("        x +=", "        if loopEnds(1u) { break; }\n        x +=");
+    let asks = asks + "\nfn loopEnds(number: u32) -> bool {\n    return number == 0u;\n}\n";
+    let plain = compiled(
+        "flat",
+        "/// Grey.\nfn flat(at: Surface) -> f32 {\n    return 0.5;\n}\n",
+        "Flat()",
+        Mode::Baked,
+    );
+    let mut source = plain.source;
+    let snippet = source.sections.iter_mut().find(|section| section.name == "textures/flat.wgsl");
+    let snippet = snippet.expect("the scene uses it");
+    snippet.text = format!("{}{asks}", snippet.text).into();
+    let module = module::validate(&source).expect("it is valid");
+    assert_eq!(module.unguarded(), Some("textures/flat.wgsl:10"));
 }
 
 #[test]
