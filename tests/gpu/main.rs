@@ -25,6 +25,7 @@ mod precision;
 mod probe;
 mod rays;
 mod reference;
+mod remote;
 mod render;
 mod scales;
 mod shadows;

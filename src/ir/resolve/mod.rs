@@ -13,6 +13,7 @@ mod options;
 mod pictures;
 mod placement;
 mod reader;
+mod remote;
 mod textures;
 mod usage;
 mod values;
@@ -78,6 +79,8 @@ struct Resolver<'a> {
     variants: BTreeMap<(usize, Usage, bool), usize>,
     /// What textures cost.
     cost: limits::Cost,
+    /// Where the objects stand.
+    stands: Vec<remote::Stand>,
     materials: Vec<Material>,
     /// Indices of the materials that have a name.
     named_materials: BTreeMap<String, usize>,
@@ -102,6 +105,7 @@ impl<'a> Resolver<'a> {
             usage_dependent: BTreeSet::new(),
             variants: BTreeMap::new(),
             cost: limits::Cost::default(),
+            stands: vec![],
             materials: vec![],
             named_materials: BTreeMap::new(),
         }
@@ -150,6 +154,7 @@ impl<'a> Resolver<'a> {
         let ambient = ambient.map_or(default_ambient, |value| self.constant_color(value));
         let lights = self.lights(lights);
         let (objects, bodies) = self.objects(objects, root);
+        self.check_remote(&camera);
         let render = self.render(render);
         Scene {
             name: self.file.to_owned(),

@@ -9,6 +9,7 @@ use super::Resolver;
 use super::limits::{DEEPEST_SOLID, MOST_OBJECTS};
 use super::placement::into_space;
 use super::reader::Fields;
+use super::remote::Stand;
 use crate::diagnostic::Diagnostic;
 use crate::ir::fields::{EVERY_OBJECT, EVERY_SOLID, Field, OPERATIONS};
 use crate::ir::{Body, Combination, Object, Operation, Solid, Value};
@@ -163,6 +164,7 @@ impl Resolver<'_> {
             true => around.to_world,
             false => Some(around.to_world.map_or(moved, |outer| outer * moved)),
         };
+        self.stands.push(Stand::of(&shape, &arguments, &self.models, to_world, &written.span));
         if shape.traits.is_distance {
             self.check_evaluations(&arguments.iter().collect::<Vec<_>>(), &written.span);
         }
