@@ -79,7 +79,7 @@ pub fn needed_file(role: Role, name: &str, library: &Library<'_>) -> Option<Need
     if let Some(group) = role.group(name) {
         let is_file = |field: &&Field| matches!(field.takes, Takes::File) && field.is_required;
         let field = group.fields.iter().find(is_file)?.name.to_owned();
-        return Some(Needed { field, noun: "picture", extensions: &["png", "jpg", "jpeg", "hdr"] });
+        return Some(Needed { field, noun: "picture", extensions: &["png", "jpg", "jpeg", "hdr", "exr"] });
     }
     let function = library.find(role.family()?, name).ok()?;
     let field = function.parameters.iter().find(|parameter| parameter.ty == Type::Model)?.name.clone();

@@ -14,6 +14,7 @@ mod golden;
 mod history;
 mod judge;
 mod outline;
+mod picture_files;
 mod reading;
 mod root;
 mod settings;

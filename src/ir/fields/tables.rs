@@ -207,7 +207,8 @@ pub const FORMS: &[Group] = &[
     Group {
         name: "Image",
         fields: &[
-            field("file", Takes::File, "a PNG, JPEG or Radiance HDR file beside the scene").required(),
+            field("file", Takes::File, "a PNG, JPEG, Radiance HDR or OpenEXR file beside the scene")
+                .required(),
             field(
                 "width",
                 Takes::Number(limits(None, 1e-4, 1e6)),

@@ -17,6 +17,10 @@ impl Resolver<'_> {
             Ok(image) => {
                 let known = self.images.iter().position(|i| *i == image);
                 Some(known.unwrap_or_else(|| {
+                    if let Some(warning) = &image.warning {
+                        let message = format!("`{}` {warning}", image.file);
+                        self.push(Diagnostic::warning(message).at(place.clone(), ""));
+                    }
                     self.images.push(image);
                     if self.images.len() > MOST_IMAGES {
                         let message = format!("more than {MOST_IMAGES} images in one scene");
@@ -26,7 +30,7 @@ impl Resolver<'_> {
                 }))
             }
             Err(problem) => {
-                let advice = "a file is looked for beside the scene: PNG, JPEG or Radiance HDR";
+                let advice = "a file is looked for beside the scene: PNG, JPEG, Radiance HDR or OpenEXR";
                 self.refuse_file(problem, written, advice);
                 None
             }

@@ -1,5 +1,7 @@
 //! The curve from the values of a file to light.
 
+use super::chunks::chunks;
+
 /// How values, 0 to 1, stand for light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Curve {
@@ -15,18 +17,15 @@ const GAMMA_OF_SRGB: u32 = 45455;
 
 /// What a picture says of its curve. Color profiles are left out, and so are primaries.
 pub fn curve_of(bytes: &[u8]) -> Curve {
-    let Some(mut rest) = bytes.strip_prefix(b"\x89PNG\r\n\x1a\n") else { return Curve::Srgb };
     let mut curve = Curve::Srgb;
-    while let Some((head, after)) = rest.split_at_checked(8) {
-        let length = u32::from_be_bytes([head[0], head[1], head[2], head[3]]) as usize;
-        match (&head[4..], after.get(..length)) {
+    for (name, content) in chunks(bytes) {
+        match (name, content) {
             // They outrank it, wherever they stand before the pixels.
             (b"sRGB" | b"iCCP" | b"cICP", _) => return Curve::Srgb,
-            (b"IDAT", _) | (_, None) => break,
-            (b"gAMA", Some(&[a, b, c, d])) => curve = of_gamma(u32::from_be_bytes([a, b, c, d])),
+            (b"IDAT", _) => break,
+            (b"gAMA", &[a, b, c, d]) => curve = of_gamma(u32::from_be_bytes([a, b, c, d])),
             _ => {}
         }
-        rest = after.get(length + 4..).unwrap_or_default();
     }
     curve
 }

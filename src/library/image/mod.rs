@@ -1,6 +1,9 @@
 //! Picture files as data: decoded to light or to numbers, with smaller versions of themselves for a distance.
 
+mod chunks;
+mod contents;
 mod gamma;
+mod openexr;
 mod radiance;
 
 use std::fmt;
@@ -8,6 +11,7 @@ use std::io::Cursor;
 use std::sync::Arc;
 
 use glam::Vec4;
+use image::metadata::Orientation;
 use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader};
 
 use self::gamma::Curve;
@@ -22,6 +26,8 @@ pub struct Image {
     pub reading: Reading,
     /// Whether it is clear in places.
     pub has_alpha: bool,
+    /// What was odd but not wrong, in words that follow the file's name.
+    pub warning: Option<String>,
     /// The picture first, then each half as wide and as high, down to one texel.
     pub levels: Arc<[Level]>,
 }
@@ -60,13 +66,15 @@ pub struct Level {
 const LONGEST: u32 = 8192;
 
 impl Image {
-    /// Decodes PNG, JPEG or Radiance HDR, whatever the file is called; `digest` is of `bytes`.
+    /// Decodes PNG, JPEG, Radiance HDR or OpenEXR, whatever the file is called; `digest` is of `bytes`.
     ///
     /// # Errors
     /// Why it cannot be shown, in words that follow the file's name.
     pub fn decode(file: String, digest: u64, bytes: &[u8], reading: Reading) -> Result<Self, String> {
         let (picture, curve) = if radiance::is_radiance(bytes) {
             (radiance::decode(bytes)?, Curve::Linear)
+        } else if openexr::is_openexr(bytes) {
+            (openexr::decode(bytes)?, Curve::Linear)
         } else {
             (decode_upright(bytes)?, gamma::curve_of(bytes))
         };
@@ -80,24 +88,35 @@ impl Image {
         while levels[levels.len() - 1].size != [1, 1] {
             levels.push(levels[levels.len() - 1].halved());
         }
-        Ok(Self { file, digest, reading, has_alpha, levels: levels.into() })
+        let is_short = bytes.starts_with(b"\xff\xd8") && contents::ends_early(bytes);
+        let warning =
+            is_short.then(|| "ends early: its lower part is missing, so fetch or save it again".into());
+        Ok(Self { file, digest, reading, has_alpha, warning, levels: levels.into() })
     }
 }
 
 /// A picture as its camera was held, which files say beside its pixels (EXIF).
 fn decode_upright(bytes: &[u8]) -> Result<DynamicImage, String> {
-    let damaged = |error: ImageError| format!("is damaged: {error}");
+    let damaged = |error: ImageError| match &error {
+        ImageError::Unsupported(_) => format!("is of a kind that cannot be read ({error}): save it as PNG"),
+        _ => format!("is damaged or ends early: {error}"),
+    };
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format();
     let reader = reader.expect("bytes in memory can be read");
     if !matches!(reader.format(), Some(ImageFormat::Png | ImageFormat::Jpeg)) {
-        return Err("is neither PNG, JPEG nor Radiance HDR".into());
+        return Err(contents::refusal(bytes));
     }
     let mut decoder = reader.into_decoder().map_err(damaged)?;
     let (width, height) = decoder.dimensions();
     check_size([width, height])?;
-    let orientation = decoder.orientation().unwrap_or(image::metadata::Orientation::NoTransforms);
+    // In a PNG it may also stand behind the pixels, where the decoder has not been yet.
+    let beside = chunks::chunks(bytes).find(|(name, _)| name == b"eXIf");
+    let orientation = match beside {
+        Some((_, exif)) => Orientation::from_exif_chunk(exif),
+        None => decoder.orientation().ok(),
+    };
     let mut picture = DynamicImage::from_decoder(decoder).map_err(damaged)?;
-    picture.apply_orientation(orientation);
+    picture.apply_orientation(orientation.unwrap_or(Orientation::NoTransforms));
     Ok(picture)
 }
 
