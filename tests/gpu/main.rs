@@ -5,6 +5,8 @@
 mod common;
 #[path = "../common/device.rs"]
 mod device;
+#[path = "../common/models/mod.rs"]
+mod shared_models;
 
 mod against_reference;
 mod antialiasing;
@@ -15,12 +17,12 @@ mod draw;
 mod export;
 mod filter;
 mod guard;
+mod image_placement;
 mod images;
 mod inspection;
 mod laws;
 mod models;
 mod patterns;
-mod pictures;
 mod precision;
 mod probe;
 mod rays;

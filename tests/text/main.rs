@@ -2,6 +2,8 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/models/mod.rs"]
+mod shared_models;
 
 mod broken_scenes;
 mod changes;
@@ -13,8 +15,10 @@ mod errors;
 mod golden;
 mod history;
 mod judge;
+mod models;
 mod outline;
 mod picture_files;
+mod pictures;
 mod reading;
 mod root;
 mod settings;

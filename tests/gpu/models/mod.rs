@@ -1,34 +1,24 @@
-//! The tests of models, by what they hold, and what these share.
+//! Models as rays meet them, and as light falls on them.
 
 mod aim;
 mod brute_force;
 mod closed;
 mod combined;
 mod crossings;
-mod damage;
-mod glb_writer;
-mod posing;
-mod random;
-mod reading_glb;
-mod reading_obj;
-mod reload;
 mod remote;
-mod repairs;
-mod shapes;
 mod smoothness;
 mod surfaces;
-mod tree;
 
 use std::path::Path;
 
 use raytoy::frame::Moment;
 use raytoy::gpu::{Crossing, Gpu, Probe, Ray};
-use raytoy::library::Model;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 use raytoy::{Compiled, compile};
 
 use crate::common::{expect_compiled, root};
+use crate::shared_models::{decoded, random, shapes};
 use brute_force::Soup;
 
 /// A scene of one model, before the probe and before the reference.
@@ -65,9 +55,4 @@ fn compiled(name: &str, text: &str) -> Compiled {
 fn probe(gpu: &Gpu, compiled: &Compiled) -> Probe {
     let probe = Probe::build(gpu, compiled, &Moment::of(&compiled.scene), [480, 270]);
     probe.unwrap_or_else(|error| panic!("{error}"))
-}
-
-/// What is read from a file of these bytes.
-fn decoded(bytes: &[u8]) -> Result<Model, String> {
-    Model::decode("a".into(), bytes, &mut |name| Err(format!("points to `{name}`")))
 }

@@ -83,3 +83,24 @@ fn grid(count: [usize; 2], point: impl Fn([f64; 2]) -> DVec3) -> String {
 fn vertex(text: &mut String, p: DVec3) {
     writeln!(text, "v {} {} {}", p.x, p.y, p.z).expect("a String takes all text");
 }
+
+/// Ways from zero to where surveys lie.
+pub const FAR: [DVec3; 3] = [
+    DVec3::new(512_345.625, 5_401_234.375, 431.5),
+    DVec3::new(-500_000.0, 0.1, 5_000_000.0),
+    DVec3::new(0.0, 0.0, 20_000.3),
+];
+
+/// The torus, moved by all digits.
+pub fn far_torus(by: DVec3) -> String {
+    let torus = made("torus.obj").unwrap();
+    let moved = torus.lines().map(|line| match line.strip_prefix("v ") {
+        Some(numbers) => {
+            let p: Vec<f64> = numbers.split(' ').map(|x| x.parse().unwrap()).collect();
+            let p = DVec3::from_slice(&p) + by;
+            format!("v {} {} {}\n", p.x, p.y, p.z)
+        }
+        None => format!("{line}\n"),
+    });
+    moved.collect()
+}
