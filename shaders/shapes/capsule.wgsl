@@ -50,8 +50,9 @@ fn capsule(ray: Ray, base: vec3f, top: vec3f, radius: f32) -> f32 {
 
 fn capsuleSurface(p: vec3f, base: vec3f, top: vec3f, radius: f32) -> Surface {
     let size = distance(base, top);
-    // Turned over, so that around y the angle goes from +x towards +z, as on a sphere.
-    let frame = frameAround((base - top) / max(size, 1e-20));
+    // Turned over, so that around y the angle goes from +x towards +z, as on a sphere; size 0 is one.
+    let down = (base - top) / max(size, 1e-20);
+    let frame = frameAround(select(down, vec3f(0.0, -1.0, 0.0), size < LEAST_SIZE));
     let q = (p - base) * frame;
     let end = clamp(-q.z, 0.0, size);
     let n = normalize(vec3f(q.xy, q.z + end));

@@ -80,8 +80,8 @@ fn roundedConeSide(nearest: vec3f, direction: vec3f, half_axis: vec3f, radii: ve
 
 fn roundedConeSurface(p: vec3f, base: vec3f, top: vec3f, base_radius: f32, top_radius: f32) -> Surface {
     let size = max(distance(base, top), 1e-20);
-    // Turned over, so that around y the angle goes from +x towards +z, as on a sphere.
-    let frame = frameAround((base - top) / size);
+    // Turned over, so that around y the angle goes from +x towards +z, as on a sphere; size 0 is one.
+    let frame = frameAround(select((base - top) / size, vec3f(0.0, -1.0, 0.0), size < LEAST_SIZE));
     let q = (p - base) * frame;
     let apart = max(length(q.xy), 1e-20);
     let sine = clamp((base_radius - top_radius) / size, -1.0, 1.0);

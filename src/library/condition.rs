@@ -75,6 +75,17 @@ impl Condition {
             _ => true,
         }
     }
+
+    /// Whether it holds and leaves the shape flat all the same, so that it encloses nothing.
+    pub fn leaves_flat(&self, arguments: &[Option<Const>]) -> bool {
+        let given = |index: usize| arguments.get(self.parameters[index]).copied().flatten();
+        match (self.relation, given(0), given(1)) {
+            (Relation::ApartAlongTwoAxes, Some(Const::Vec3(a)), Some(Const::Vec3(b))) => {
+                axes_apart(a, b) == 2
+            }
+            _ => false,
+        }
+    }
 }
 
 /// Along how many axes two points are apart.

@@ -15,10 +15,15 @@ use raytoy::sources::Sources;
 use raytoy::wgsl::{Mode, generate};
 
 /// Each is refused at the last value that is named.
-const REFUSED: [(&str, &str); 27] = [
+const REFUSED: [(&str, &str); 29] = [
     ("Box(max: (-1, -1, -1))", "`min` and `max` differ along fewer than two axes"),
     ("Box(min: (3, 2, 2), max: (3, 2, 7))", "`min` and `max` differ along fewer than two axes"),
     ("RoundedBox(min: (1, 1, 1))", "`min` and `max` differ along fewer than two axes"),
+    (
+        "Difference(parts: [Sphere(), Box(min: (0, -2, -2), max: (0, 2, 2))])",
+        "this `Box` is flat, and encloses nothing",
+    ),
+    ("Union(parts: [Wedge(min: (-1, 1, -1))])", "this `Wedge` is flat, and encloses nothing"),
     ("Wedge(min: (1, 1, 1))", "`min` and `max` differ along fewer than two axes"),
     ("Cylinder(top: (0, 0, 0))", "`base` and `top` are the same point"),
     ("Cylinder(base: (5, 1e6, 0), top: (5, 1000000.01, 0))", "`base` and `top` are the same point"),
@@ -87,6 +92,23 @@ fn what_is_flat_is_seen() {
         let compiled = expect_compiled(outcome_of("a.ron", &scene(PLAIN, call), Mode::Baked));
         let nearer = depths(&compiled).into_iter().filter(|(_, behind)| *behind < -0.1).count();
         (nearer < 4).then(|| format!("{call}: {nearer} pixels show it"))
+    }));
+}
+
+/// The light on a ball of radius 2 is the light on what shrinks to one.
+#[test]
+fn what_has_its_ends_in_one_point_is_a_ball() {
+    let shape = |call: &str| pixels(&expect_compiled(outcome_of("a.ron", &scene(PLAIN, call), Mode::Baked)));
+    let ball = shape("Sphere(radius: 2)");
+    let balls = [
+        "Capsule(top: (0, 0, 0), radius: 2)",
+        "RoundedCone(top: (0, 0, 0), base_radius: 2)",
+        "RoundedCone(top: (0, 0, 0), top_radius: 2)",
+    ];
+    expect_none(balls.into_iter().filter_map(|call| {
+        let near = |(a, b): (&[f32; 4], &[f32; 4])| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-3);
+        let other = shape(call).iter().zip(&ball).filter(|(a, b)| !near((a, b))).count();
+        (other > 0).then(|| format!("{call}: {other} pixels are not the ball's"))
     }));
 }
 
@@ -162,13 +184,18 @@ fn strays(compiled: &Compiled) -> Option<String> {
     (stray > 0).then(|| format!("{stray} pixels beside it are not the wall's"))
 }
 
-/// How far the ray of each pixel passes the origin, and how far behind the wall it ends.
-fn depths(compiled: &Compiled) -> Vec<(f32, f32)> {
+/// Light and depth of each pixel.
+fn pixels(compiled: &Compiled) -> Vec<[f32; 4]> {
     let moment = Moment::of(&compiled.scene);
     let (size, casters) = ([SIDE; 2], compiled.scene.casters());
     let frame = FrameUniforms::new(&moment, &compiled.scene.render, casters, size, 0, [0.0; 2]);
     let sketch = Sketch::new(compiled).expect("what ships with raytoy has a sketch");
-    let pixels = sketch.draw(&frame, Duration::from_secs(600)).expect("there is time");
+    sketch.draw(&frame, Duration::from_secs(600)).expect("there is time")
+}
+
+/// How far the ray of each pixel passes the origin, and how far behind the wall it ends.
+fn depths(compiled: &Compiled) -> Vec<(f32, f32)> {
+    let pixels = pixels(compiled);
     let half = (0.5 * FOV_DEG).to_radians().tan();
     let slope = |i: u32| ((i as f32 + 0.5) / SIDE as f32 * 2.0 - 1.0) * half;
     let place = |(i, pixel): (usize, &[f32; 4])| {

@@ -1,26 +1,31 @@
 //! Shapes without a size: points that coincide, sides that lie along each other.
 
 use super::Resolver;
-use crate::ir::Value;
+use crate::ir::{Object, Value};
 use crate::library::{Condition, Const, Function, Relation};
-use crate::scene::{self, Kind};
+use crate::scene::{self, Kind, Name};
 
 impl Resolver<'_> {
     /// Reports what a shape with these arguments does not keep to: nothing would be seen of it, or specks.
     pub fn check_conditions(&mut self, written: &scene::Value, shape: &Function, arguments: &[Value]) {
-        let constants: Vec<Option<Const>> = arguments
-            .iter()
-            .map(|argument| match argument {
-                Value::Const(constant) => Some(*constant),
-                _ => None,
-            })
-            .collect();
+        let constants = constants(arguments);
         // What is missing has been reported, and shifts those behind it.
         if constants.len() < shape.parameters.len() {
             return;
         }
         for condition in shape.conditions.iter().filter(|condition| !condition.holds(&constants)) {
             self.report(written, shape, condition);
+        }
+    }
+
+    /// Reports a part that has no inside since it is flat.
+    pub fn check_thickness(&mut self, object: &Object, name: &Name) {
+        let constants = constants(&object.arguments);
+        if object.shape.conditions.iter().any(|condition| condition.leaves_flat(&constants)) {
+            let advice = "parts are solids: give it thickness along all three axes".into();
+            self.error(&name.span, format!("this `{}` is flat, and encloses nothing", name.text))
+                .help
+                .push(advice);
         }
     }
 
@@ -50,4 +55,13 @@ impl Resolver<'_> {
             format!("{advice}, or leave the object out: nothing would be seen of this `{}`", shape.name);
         self.error(span, message).help.push(help);
     }
+}
+
+/// The arguments that are numbers.
+fn constants(arguments: &[Value]) -> Vec<Option<Const>> {
+    let constant = |argument: &Value| match argument {
+        Value::Const(constant) => Some(*constant),
+        _ => None,
+    };
+    arguments.iter().map(constant).collect()
 }

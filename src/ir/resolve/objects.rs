@@ -246,6 +246,7 @@ impl Resolver<'_> {
             let advice = "parts are solids: give it thickness, as `Box` or `Cylinder` have".into();
             self.error(&shape.span, format!("`{}` encloses nothing", shape.text)).help.push(advice);
         }
+        self.check_thickness(object, shape);
         for argument in &object.arguments {
             if let Value::Model(index) = argument
                 && !self.models[*index].is_closed
