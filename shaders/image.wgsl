@@ -27,17 +27,18 @@ fn imageTexel(image: texture_2d<f32>, at: Surface, width: f32, repeat: bool, spr
     let corner = select(vec2f(0.0), at.whole.xy, has_whole);
     var place = (at.uv - corner) * pictures_per_unit * vec2f(1.0, -1.0);
     let texels_per_unit = size * abs(pictures_per_unit);
+    let footprint = at.density * at.footprint;
     let half_texel = 0.5 / size;
     // A ball and the sky end at their poles.
     let ends = has_whole & (at.whole.x != 0.0);
     let bottom = -at.whole.w * pictures_per_unit.y;
     place.y = select(place.y, clamp(place.y, bottom + half_texel.y, -half_texel.y), ends);
     let kept = clamp(place + vec2f(0.0, 1.0), half_texel, 1.0 - half_texel);
-    let level = log2(max(at.footprint * sqrt(texels_per_unit.x * texels_per_unit.y), 1.0));
+    let level = log2(max(footprint * sqrt(texels_per_unit.x * texels_per_unit.y), 1.0));
     let seen = textureSampleLevel(image, imageSampler, select(kept, place - floor(place), repeat), level);
     // The share of a pixel that lies within the edges.
     let room = (0.5 - abs(place + vec2f(-0.5, 0.5))) / abs(pictures_per_unit);
-    let share = saturate(room / max(at.footprint, 1e-9) + 0.5);
+    let share = saturate(room / max(footprint, 1e-9) + 0.5);
     return seen * select(share.x * share.y, 1.0, repeat | (spread > 0.0));
 }
 

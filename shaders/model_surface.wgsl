@@ -39,24 +39,26 @@ fn facetSurface(p: vec3f, facet: ModelFacet, i: u32, unit: f32) -> Surface {
     // It may lie a little beside.
     let inside = max(facet.shares, vec3f());
     let shares = inside / dot(inside, vec3f(1.0));
-    // Normal and v of the corners, then their u.
-    var mean = vec4f(0.0);
-    var u = 0.0;
+    var mean = vec3f(0.0);
+    var uv = mat3x2f();
     // The smooth surface is about as high as the mean of the planes that touch it at the corners
     // (Hanika, Hacking the Shadow Terminator, in: Ray Tracing Gems II, 2021).
     let from_corners = mat3x3f(facet.q, facet.q - facet.ab, facet.q - facet.ac);
     var rise = 0.0;
     for (var k = 0u; k < 3u; k++) {
         let normal_and_v = bitcast<vec4f>(modelWords(i + 2u * k + 1u));
-        mean += shares[k] * normal_and_v;
-        u += shares[k] * bitcast<f32>(modelWords(i + 2u * k).w);
+        mean += shares[k] * normal_and_v.xyz;
+        uv[k] = vec2f(bitcast<f32>(modelWords(i + 2u * k).w), normal_and_v.w);
         let below = max(-dot(from_corners[k], normal_and_v.xyz), 0.0);
         rise += shares[k] * below * max(dot(normal_and_v.xyz, outward), 0.0);
     }
     // Normals of the corners may cancel each other.
-    let normal = normalize(select(outward, mean.xyz, dot(mean.xyz, mean.xyz) > 1e-6));
-    var at = surface(p - dot(facet.q, outward) / unit * outward, normal, vec2f(u, mean.w));
+    let normal = normalize(select(outward, mean, dot(mean, mean) > 1e-6));
+    var at = surface(p - dot(facet.q, outward) / unit * outward, normal, uv * shares);
     at.facet = outward;
     at.rise = rise / unit;
+    // Of the areas, as uv has it and as it is.
+    let doubled = determinant(mat2x2f(uv[1] - uv[0], uv[2] - uv[0]));
+    at.density = sqrt(abs(doubled) * inverseSqrt(facet.squared)) * unit;
     return at;
 }

@@ -35,6 +35,8 @@ struct Surface {
     whole: vec4f,
     /// How high above the point, along facet, the smooth surface lies that a model stands for.
     rise: f32,
+    /// How far uv goes on one of the object's units there: 1 but on models.
+    density: f32,
 }
 
 /// What the pixel's rays have cost so far: tests of shapes, boxes and triangles of models, steps of marches.
@@ -42,7 +44,7 @@ var<private> work: u32;
 
 /// The surface at `position`, before anything is known of the world and the pixel.
 fn surface(position: vec3f, normal: vec3f, uv: vec2f) -> Surface {
-    return Surface(position, normal, normal, uv, position, 0.0, vec4f(0.0), 0.0);
+    return Surface(position, normal, normal, uv, position, 0.0, vec4f(0.0), 0.0, 1.0);
 }
 
 /// `t` where it lies on the ray, else NO_HIT.

@@ -6,6 +6,7 @@ fn sideOf(at: Surface, side: u32) -> Surface {
     let p = at.position;
     flat_.uv = select(select(p.xy, p.xz, side == 1u), p.zy, side == 0u);
     flat_.whole = vec4f(0.0);
+    flat_.density = 1.0;
     return flat_;
 }
 

@@ -12,7 +12,7 @@ fn brick(
     clay: vec3f, joint: vec3f,
 ) -> vec3f {
     let p = at.uv * scale;
-    let width = at.footprint * scale;
+    let width = at.density * at.footprint * scale;
     // The courses of a bond's period are filtered side by side: where the footprint covers several
     // courses, no one's shift is the right one.
     let period = select(select(3, 1, bond == 1u), 2, bond == 0u);

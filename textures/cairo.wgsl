@@ -11,7 +11,7 @@ fn cairo(
     // All five sides touch one circle: a smaller tile is the same tile.
     let solid = (1.0 - gap / 0.7320508) * (1.0 - gap / 0.7320508);
     let mean = vec2f(solid, 0.0);
-    let width = at.footprint * scale;
+    let width = at.density * at.footprint * scale;
     var tile = mean;
     if width < 3.0 {
         let n = footprintParts(width, 6.0);

@@ -7,5 +7,6 @@ fn cubic(at: Surface) -> Surface {
     // As on planes: (x, z) along y, (z, y) along x, (x, y) along z.
     moved.uv = select(side, p.xz, n.y >= max(n.x, n.z));
     moved.whole = vec4f(0.0);
+    moved.density = 1.0;
     return moved;
 }

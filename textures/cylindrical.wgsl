@@ -9,6 +9,7 @@ fn cylindrical(at: Surface, around: f32) -> Surface {
     var moved = at;
     moved.uv = vec2f(per_radian * atan2(d.y, d.x), at.position.y);
     moved.whole = vec4f(0.0);
+    moved.density = 1.0;
     // The root mean square of the stretches around and upwards, where the surface goes up.
     let crowding = per_radian / max(length(p), 1e-4);
     let rise = max(1.0 - at.normal.y * at.normal.y, 0.0);

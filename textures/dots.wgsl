@@ -10,7 +10,7 @@ fn dots(
     at: Surface, scale: f32, radius: f32, softness: f32, arrangement: u32, color: vec3f, ground: vec3f,
 ) -> vec3f {
     let p = at.uv * scale;
-    let width = at.footprint * scale;
+    let width = at.density * at.footprint * scale;
     // Rows of equilateral triangles: all neighbors of a staggered dot are equally far.
     let staggered = arrangement == 1u;
     let height = select(1.0, 0.8660254, staggered);

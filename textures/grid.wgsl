@@ -10,7 +10,7 @@ fn grid(
     at: Surface, scale: f32, line: f32, every: u32, bold: f32, color: vec3f, ground: vec3f,
 ) -> vec3f {
     let p = at.uv * scale;
-    let width = vec2f(at.footprint * scale);
+    let width = vec2f(at.density * at.footprint * scale);
     var share = dutyShare(p + 0.5 * line, width, line);
     if every > 0u {
         // A bold line hides a fine one, which must not count twice.

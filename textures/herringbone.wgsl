@@ -10,7 +10,7 @@ fn herringbone(
     at: Surface, scale: f32, aspect: u32, gap: f32, variation: f32, wood: vec3f, joint: vec3f,
 ) -> vec3f {
     let mean = vec2f((1.0 - gap) * (1.0 - gap / f32(aspect)), 0.0);
-    let width = at.footprint * scale;
+    let width = at.density * at.footprint * scale;
     var block = mean;
     if width < 6.0 {
         let n = footprintParts(width, 4.0);

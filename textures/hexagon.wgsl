@@ -15,7 +15,7 @@ fn hexagon(
     let palette = mat3x3f(first, next, select(third, next, colors < 3u));
     let solid = (1.0 - gap) * (1.0 - gap);
     let mean = mix(joint, palette * vec3f(1.0 / 3.0), solid);
-    let width = at.footprint * scale;
+    let width = at.density * at.footprint * scale;
     if width >= 5.0 {
         return mean;
     }

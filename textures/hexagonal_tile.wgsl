@@ -11,7 +11,7 @@ fn hexagonalTile(at: Surface, size: f32, turn_deg: f32) -> Surface {
     let position = turn * hexagonalTileInside(flat - middle, width, at.footprint);
     let normal = turn * at.normal.xz;
     let uv_middle = hexagonalTileMiddle(at.uv, width);
-    let uv = hexagonalTileInside(at.uv - uv_middle, width, at.footprint);
+    let uv = hexagonalTileInside(at.uv - uv_middle, width, at.density * at.footprint);
     var moved = at;
     moved.position = vec3f(position.x, at.position.y, position.y);
     moved.normal = vec3f(normal.x, at.normal.y, normal.y);

@@ -14,7 +14,7 @@ fn julia(
     first: vec3f, second: vec3f, third: vec3f, interior: vec3f,
 ) -> vec3f {
     var z = center + at.uv / zoom;
-    let width = at.footprint / zoom;
+    let width = at.density * at.footprint / zoom;
     var slope = vec2f(1.0, 0.0);
     var steps = 0.0;
     for (var i = 0u; i < min(iterations, 200u) && dot(z, z) < 1e4; i++) {

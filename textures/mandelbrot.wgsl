@@ -13,7 +13,7 @@ fn mandelbrot(
     first: vec3f, second: vec3f, third: vec3f, interior: vec3f,
 ) -> vec3f {
     let c = center + at.uv / zoom;
-    let width = at.footprint / zoom;
+    let width = at.density * at.footprint / zoom;
     var z = vec2f(0.0);
     var slope = vec2f(0.0);
     var steps = 0.0;

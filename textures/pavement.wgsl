@@ -13,7 +13,7 @@ fn pavement(
     let cut = corner - 0.29289322 * gap;
     let side = max(1.4142136 * corner - gap, 0.0);
     let mean = vec2f((1.0 - gap) * (1.0 - gap) - 2.0 * cut * cut, side * side);
-    let width = at.footprint * scale;
+    let width = at.density * at.footprint * scale;
     var shares = mean;
     if width < 3.0 {
         let n = footprintParts(width, 4.0);

@@ -12,7 +12,7 @@ fn plaid(
     ground: vec3f, check: vec3f, stripe: vec3f, line: vec3f,
 ) -> vec3f {
     let p = at.uv * scale;
-    let width = vec2f(at.footprint * scale);
+    let width = vec2f(at.density * at.footprint * scale);
     let checks = dutyShare(p, width, 0.44);
     let bars = dutyShare(p - 0.17, width, 0.1);
     let lines = dutyShare(p - 0.705, width, 0.03);

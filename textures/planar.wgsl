@@ -6,5 +6,6 @@ fn planar(at: Surface, axis: u32) -> Surface {
     var moved = at;
     moved.uv = select(select(p.xy, p.xz, axis == 1u), p.zy, axis == 0u);
     moved.whole = vec4f(0.0);
+    moved.density = 1.0;
     return moved;
 }

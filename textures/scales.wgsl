@@ -18,7 +18,7 @@ fn scales(
     let bright = depth / (height + 0.5);
     let toned = 1.0 - 0.5 * variation;
     let mean = vec3f(toned * (1.0 - drawn - bright), toned * bright, drawn);
-    let width = at.footprint * scale;
+    let width = at.density * at.footprint * scale;
     var shares = mean;
     let coarse = width / max(height, 1.0);
     if coarse < 1.4 {

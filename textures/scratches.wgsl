@@ -5,7 +5,7 @@
 /// length = 12, 1 to 50: length of the longest, beside their distance
 /// width = 0.025, 0.001 to 0.3: width of a scratch, beside their distance
 fn scratches(at: Surface, scale: f32, directions: u32, length_: f32, width: f32) -> f32 {
-    let pixel = max(at.footprint * scale, 1e-6);
+    let pixel = max(at.density * at.footprint * scale, 1e-6);
     let far = smoothstep(0.4, 1.2, pixel);
     var whole = 1.0;
     var axis = vec2f(0.8, 0.6);

@@ -13,6 +13,7 @@ fn spherical(at: Surface, center: vec3f, around: f32) -> Surface {
     // Seen from outside, longitude grows to the left; the sky is seen from inside.
     let is_sky = at.whole.x < 0.0;
     moved.whole = 0.25 * around * select(vec4f(2.0, -1.0, -4.0, 2.0), vec4f(-2.0, -1.0, 4.0, 2.0), is_sky);
+    moved.density = 1.0;
     // The root mean square of the stretches along and across the circles of latitude.
     let crowding = per_radian / max(vec2f(from_axis, length(d)), vec2f(1e-4));
     moved.footprint *= sqrt(0.5 * dot(crowding, crowding));

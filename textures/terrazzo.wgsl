@@ -19,7 +19,7 @@ fn terrazzo(
     var color = mat3x4f(vec4f(ground.r), vec4f(ground.g), vec4f(ground.b));
     // The smallest chips come first: larger ones lie over them.
     var p = at.uv * scale * 3.2;
-    var pixel = max(at.footprint * scale * 3.2, 1e-6);
+    var pixel = max(at.density * at.footprint * scale * 3.2, 1e-6);
     for (var i = 0u; i < 3u; i++) {
         p = vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y) + vec2f(3.71, 1.27);
         let turned = 0.8 * x - 0.6 * y;

@@ -6,7 +6,7 @@ fn tile(at: Surface, size: vec3f) -> Surface {
     // Asked just under the surface, a face that lies between two pieces is not torn between them.
     moved.position = tileCell(at.position, at.position - 1e-3 * size * at.normal, size, at.footprint);
     let flat = vec3f(at.uv, 0.0);
-    moved.uv = tileCell(flat, flat, size, at.footprint).xy;
+    moved.uv = tileCell(flat, flat, size, at.density * at.footprint).xy;
     return moved;
 }
 

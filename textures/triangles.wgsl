@@ -8,7 +8,7 @@
 fn triangles(
     at: Surface, scale: f32, gap: f32, even: vec3f, odd: vec3f, joint: vec3f,
 ) -> vec3f {
-    let width = at.footprint * scale;
+    let width = at.density * at.footprint * scale;
     let solid = (1.0 - 1.5 * gap) * (1.0 - 1.5 * gap);
     var shares = vec2f(0.5 * solid);
     if width < 5.0 {

@@ -11,7 +11,7 @@ fn truchet(
 ) -> vec3f {
     let drawn = 1.5707963 * width;
     let mean = vec2f(0.5 - 0.5 * drawn);
-    let footprint = at.footprint * scale;
+    let footprint = at.density * at.footprint * scale;
     var sides = mean;
     if footprint < 4.5 {
         let n = footprintParts(footprint, 4.0);

@@ -14,7 +14,7 @@ fn weave(
     let crest = width * sin(1.5707963 * width) / 1.5707963;
     let strand = visible - shading * (visible * 5.0 / 12.0 - 0.125 * crest);
     let mean = (warp + weft) * strand + ground * (1.0 - width) * (1.0 - width);
-    let footprint = at.footprint * scale;
+    let footprint = at.density * at.footprint * scale;
     if footprint >= 2.4 {
         return mean;
     }

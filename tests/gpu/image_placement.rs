@@ -23,9 +23,13 @@ fn render(scene: &str, alpha: u8, size: [u32; 2]) -> Option<gpu::Picture> {
     map.save(folder.path().join("map.png")).unwrap();
     let heights = ImageBuffer::<Luma<u16>, _>::from_pixel(2, 2, Luma([20_001]));
     heights.save(folder.path().join("height.png")).unwrap();
-    let square =
-        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
-    std::fs::write(folder.path().join("square.obj"), square).unwrap();
+    for (name, n) in [("small", 0.01), ("square", 1.0), ("large", 100.0)] {
+        let square = format!(
+            "v -{n} -{n} 0\nv {n} -{n} 0\nv {n} {n} 0\nv -{n} {n} 0
+vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"
+        );
+        std::fs::write(folder.path().join(format!("{name}.obj")), square).unwrap();
+    }
     std::fs::write(folder.path().join("a.ron"), scene).unwrap();
     let sources = Sources::on_disk(folder.path());
     let outcome = raytoy::compile(&sources, Path::new("a.ron"), Mode::Baked, None);
@@ -136,4 +140,31 @@ fn a_height_map_is_numbers_of_sixteen_bits() {
     let light = r#"Image(file: "height.png", encoding: Srgb)"#;
     let Some(picture) = render(&scene(light, ""), 255, [1, 1]) else { return };
     assert!((3.0 - picture.depth[0] - 2.0 * 0.0759).abs() < 1e-3, "{}", picture.depth[0]);
+}
+
+#[test]
+fn uv_of_a_model_filter_by_their_own_scale() {
+    let Some(_) = device::gpu() else { return };
+    // A fine pattern of uv on squares whose files differ in size: from near each line of it is seen, from afar its mean.
+    for (name, size) in [("small", 1e-2), ("square", 1.0), ("large", 1e2_f32)] {
+        for material in [r#"Image(file: "map.png", width: 0.03125)"#, "Stripes(scale: 64)"] {
+            for (share, is_near) in [(1.0, false), (1.0 / 64.0, true)] {
+                let eye = share * size * 8.0;
+                let scene = format!(
+                    "(camera: (eye: ({0}, {0}, {eye}), target: ({0}, {0}, 0), fov_deg: 14), ambient: 1,
+                    objects: [Mesh(file: \"{name}.obj\", material: (color: {material}))])",
+                    0.01 * size,
+                );
+                let Some(picture) = render(&scene, 255, [16, 16]) else { return };
+                let colors: Vec<_> = (0..256).map(|i| color(&picture, [i % 16, i / 16])).collect();
+                let spread = (0..3).map(|k| {
+                    let column = colors.iter().map(|color| color[k]);
+                    column.clone().max().unwrap() - column.min().unwrap()
+                });
+                let spread = spread.max().unwrap();
+                let what = format!("{material} on {name}, near: {is_near}: {spread}");
+                assert!(if is_near { spread > 150 } else { spread < 30 }, "{what}");
+            }
+        }
+    }
 }
