@@ -1,4 +1,4 @@
-// What changes from one picture to the next: the camera, the clock, the mouse. In raytoy, gpu/uniforms.rs
+// What changes from one picture to the next: the camera, the clock, the mouse. In raytoy, frame/uniforms.rs
 // fills it.
 
 struct Frame {

@@ -1,4 +1,4 @@
-// What the picture shows: the light, or one of the values behind it. Numbered as View in gpu/uniforms.rs.
+// What the picture shows: the light, or one of the values behind it. Numbered as View in frame/view.rs.
 
 const VIEW_COLOR: u32 = 0u;
 const VIEW_NORMAL: u32 = 1u;

@@ -226,3 +226,37 @@ fn the_page_of_the_library_has_all_that_scenes_can_name() {
         (!is_complete || !has_picture).then(|| format!("{} is not as its file says: {advice}", function.name))
     }));
 }
+
+#[test]
+fn files_that_comments_and_chapters_name_are_there() {
+    let folders = ["src", "shaders", "textures", "scenes", "tests"];
+    let there: Vec<String> = folders
+        .iter()
+        .flat_map(|folder| ["rs", "wgsl", "ron", "md"].map(|ending| files(folder, ending)))
+        .flatten()
+        .collect();
+    // `module/guard.rs` is enough for `src/module/guard.rs`.
+    let is_there = |path: &str| there.iter().any(|file| format!("/{file}").ends_with(&format!("/{path}")));
+    let comment = |line: &str| line.split_once("//").map(|(_, comment)| comment.to_owned());
+    let of_code = [("src", "rs"), ("shaders", "wgsl"), ("textures", "wgsl")];
+    let code = of_code.into_iter().flat_map(|(folder, ending)| files(folder, ending));
+    let code =
+        code.map(|file| (read(&file).lines().filter_map(comment).collect::<Vec<_>>().join("\n"), file));
+    let pages = files("docs/dev", "md").into_iter().chain(["ARCHITECTURE.md".to_owned()]);
+    let pages = pages.map(|file| (read(&file), file));
+    expect_none(code.chain(pages).flat_map(|(text, file)| {
+        let missing: Vec<String> = paths(&text).into_iter().filter(|path| !is_there(path)).collect();
+        missing.into_iter().map(move |path| format!("{file} names {path}, which is not there"))
+    }));
+}
+
+/// Words with a slash that end as files of this project do, but for those that stand for any name.
+fn paths(text: &str) -> Vec<String> {
+    let is_part = |c: char| c.is_alphanumeric() || "_-./*".contains(c);
+    let words = text.split(|c| !is_part(c)).map(|word| word.trim_matches('.'));
+    let is_path = |word: &&str| {
+        let ends = [".rs", ".wgsl", ".ron"].iter().any(|ending| word.ends_with(ending));
+        ends && word.contains('/') && !word.starts_with(['/', '.']) && !word.contains('*')
+    };
+    words.filter(is_path).filter(|word| !word.contains("NAME")).map(str::to_owned).collect()
+}

@@ -9,7 +9,7 @@ use crate::app::orders;
 use crate::frame::View;
 use crate::ir::Measure;
 
-/// BELOW, the color of 0 and ABOVE, as shaders/signed.wgsl has them.
+/// BELOW, the color of 0 and ABOVE, as shaders/number_color.wgsl has them.
 const COLORS: [Color32; 3] = [Color32::from_rgb(20, 71, 184), Color32::WHITE, Color32::from_rgb(191, 31, 26)];
 /// Points.
 const SIZE: egui::Vec2 = egui::vec2(220.0, 14.0);

@@ -13,7 +13,7 @@ use raytoy::{Compiled, compile};
 use super::{SIZE, identity, middles, scene};
 use crate::common::{expect_compiled, outcome_of};
 
-/// The colors of shaders/signed.wgsl.
+/// The colors of shaders/number_color.wgsl.
 const BELOW: Vec3 = Vec3::new(0.08, 0.28, 0.72);
 const ABOVE: Vec3 = Vec3::new(0.75, 0.12, 0.1);
 
