@@ -3,16 +3,29 @@
 # The scene that `make play` opens: make play SCENE=scenes/shapes.ron
 SCENE ?= $(firstword $(sort $(wildcard scenes/*.ron)))
 
-.PHONY: help play quick test setup rust
+# What `make dist` builds, and where cargo puts it: make dist PROFILE=dev
+PROFILE ?= release
+TARGET := $(or $(CARGO_TARGET_DIR),target)
+BUILT := $(TARGET)/$(if $(filter dev,$(PROFILE)),debug,$(PROFILE))
+
+.PHONY: help play quick test dist setup rust
 
 help:
 	@echo 'make play    open a scene in a window; without a display, draw all scenes to gallery/'
 	@echo 'make quick   run the tests that need neither a GPU nor a display; seconds after a build'
 	@echo 'make test    run all tests'
+	@echo 'make dist    make an archive with a program that needs neither Rust nor this folder'
 	@echo 'make setup   install what raytoy needs besides Rust (Linux)'
 
 # The dev profile is enough: it optimises the dependencies, and the GPU does the work.
 play: setup
+	@if [ ! -d '$(TARGET)/debug/deps' ]; then \
+	    cores=$$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 4); \
+	    echo "The first build compiles some 240 crates: about $$((24 / cores + 1)) minutes on $$cores cores. Later ones take seconds."; \
+	    echo 'Meanwhile, this is the scene. Its language is explained in LANGUAGE.md.'; \
+	    echo; \
+	    cat '$(SCENE)'; \
+	fi
 	@cargo build
 	@case "$$(uname -s)" in \
 	    Darwin | MINGW* | MSYS* | CYGWIN*) display=yes ;; \
@@ -33,6 +46,27 @@ quick: rust
 test: rust
 	@.ci/setup test
 	cargo test
+
+# Everything that a scene needs is in the program; the scenes are there to be changed.
+dist: rust
+	cargo build --profile $(PROFILE)
+	@set -e; \
+	version=$$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1); \
+	machine=$$(rustc -vV | sed -n 's/^host: //p'); \
+	name=raytoy-$$version-$$machine; \
+	case $$machine in *windows*) program=raytoy.exe ;; *) program=raytoy ;; esac; \
+	folder='$(TARGET)/dist'; \
+	rm -rf "$$folder/$$name"; \
+	mkdir -p "$$folder/$$name/docs"; \
+	cp '$(BUILT)'/$$program README.md LANGUAGE.md CHANGELOG.md LICENSE-APACHE LICENSE-MIT "$$folder/$$name/"; \
+	cp -R scenes "$$folder/$$name/"; \
+	cp -R docs/library docs/testing.md docs/accuracy.md "$$folder/$$name/docs/"; \
+	cd "$$folder"; \
+	case $$machine in \
+	    *windows*) archive=$$name.zip; rm -f "$$archive"; powershell -NoProfile -Command "Compress-Archive '$$name' '$$archive'" ;; \
+	    *) archive=$$name.tar.gz; tar -czf "$$archive" "$$name" ;; \
+	esac; \
+	echo "The archive is $$folder/$$archive."
 
 setup: rust
 	@.ci/setup
