@@ -23,6 +23,7 @@ pub fn run(folder: &Path) -> Result {
     let gpu = Gpu::headless(&AdapterChoice::Fastest)?;
     std::fs::create_dir_all(folder)?;
     let mut page = String::from("# What scenes can name\n\nWritten by `raytoy gallery`.\n");
+    let mut digests = String::new();
     let mut wrong = 0;
     for (family, title) in [(Family::Texture, "Textures and mappings"), (Family::Shape, "Shapes")] {
         write!(page, "\n## {title}\n\n| | | |\n|---|---|---|\n")?;
@@ -33,6 +34,7 @@ pub fn run(folder: &Path) -> Result {
                     Ok(function) => {
                         draw(&gpu, &here, &function, folder)?;
                         writeln!(page, "{}", row(&function))?;
+                        writeln!(digests, "{:016x} {name}", sample::digest(&function))?;
                     }
                     Err(_) => wrong += 1,
                 }
@@ -42,6 +44,7 @@ pub fn run(folder: &Path) -> Result {
         })?;
     }
     write_output(&folder.join("README.md"), page.as_bytes())?;
+    write_output(&folder.join("digests.txt"), digests.as_bytes())?;
     eprintln!("The page is {}.", folder.join("README.md").display());
     if wrong > 0 {
         eprintln!("{wrong} files have mistakes: see `raytoy check`");

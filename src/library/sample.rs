@@ -31,6 +31,13 @@ pub fn shown(function: &Function, sources: Sources, folder: &Path) -> (Sources, 
     (sources.with(&path, &scene(function)).with(folder.join(knot::FILE), &knot::obj()), path)
 }
 
+/// A digest of `function`'s file and of the scene that shows it: 64 bits of FNV-1a, equal on all machines.
+pub fn digest(function: &Function) -> u64 {
+    let text = scene(function) + &function.text.replace('\r', "");
+    let add = |sum: u64, byte: u8| (sum ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, add)
+}
+
 /// A texture on a ball, a block and a floor; a shape on a floor.
 fn scene(function: &Function) -> String {
     let stage = r##"
