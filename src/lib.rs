@@ -18,6 +18,8 @@
 //! ```
 
 pub mod app;
+pub mod assets;
+mod bvh;
 pub mod capture;
 pub mod cli;
 pub mod compile;

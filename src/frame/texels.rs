@@ -4,8 +4,8 @@
 
 use half::f16;
 
+use crate::assets::{Image, Model};
 use crate::ir::Scene;
-use crate::library::{Image, Model};
 
 /// As shaders/image.wgsl says: the one sampler of all images.
 pub const SAMPLER_BINDING: u32 = 0;

@@ -1,9 +1,9 @@
 //! What a scene takes from files, on the GPU: images and models, all as textures.
 
 use super::{Gpu, GpuError};
+use crate::assets::Model;
 use crate::frame::{MODELS_ROW, SAMPLER_BINDING, TexelFormat, Texels, texels};
 use crate::ir::Scene;
-use crate::library::Model;
 
 /// Bind group 1 of a scene's shader: a sampler, the images, the models.
 #[derive(Debug)]

@@ -17,7 +17,8 @@ pub use light::{Light, LightKind};
 pub use measure::Measure;
 pub use resolve::{default_name, placed, resolve};
 
-use crate::library::{Const, Function, Image, Model, Type};
+use crate::assets::{Image, Model};
+use crate::library::{Const, Function, Type};
 
 /// A whole scene, in the author's order.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,11 +8,9 @@ mod declarations;
 mod doc_line;
 mod function;
 mod header;
-mod image;
 pub mod knot;
 mod lexer;
 mod mixing;
-mod model;
 pub mod sample;
 mod shape;
 mod taken;
@@ -27,10 +25,9 @@ use std::sync::{Arc, Mutex};
 pub use color::{parse_color, parse_css};
 pub use condition::{Condition, Relation};
 pub use function::{Function, Kind, Parameter, Traits, name_of};
-pub use image::{Channel, Image, Level, Reading};
-pub use model::{Corner, Model};
 pub use value::{Const, Type};
 
+use crate::assets::{Image, Model, Reading};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::sources::{Answer, Reach, Sources};
 

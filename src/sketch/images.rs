@@ -2,9 +2,9 @@
 
 use glam::Vec4;
 
+use crate::assets;
 use crate::frame::{MODELS_BINDING, MODELS_ROW};
 use crate::ir::Scene;
-use crate::library;
 
 /// What one binding of group 1 holds.
 #[derive(Debug)]
@@ -15,7 +15,7 @@ pub enum Image {
         width: u32,
         texels: Vec<[u32; 4]>,
     },
-    Colors(library::Image),
+    Colors(assets::Image),
 }
 
 impl Image {
@@ -52,7 +52,7 @@ impl Image {
 }
 
 /// Linear between the four texels around a place.
-fn between(level: &library::Level, place: [f32; 2]) -> Vec4 {
+fn between(level: &assets::Level, place: [f32; 2]) -> Vec4 {
     let at = [0, 1].map(|i| (place[i] - place[i].floor()) * level.size[i] as f32 - 0.5);
     let low = at.map(f32::floor);
     let texel = |x: f32, y: f32| {

@@ -20,9 +20,9 @@ pub use self::lower::Unsupported;
 use self::lower::unsupported;
 use self::machine::{Inputs, Machine};
 use self::program::{Program, SIDE};
+use crate::assets::Model;
 use crate::compile::Compiled;
 use crate::frame::FrameUniforms;
-use crate::library::Model;
 
 /// A prime near 2^32 over the golden ratio: in steps of it, the first squares already are from everywhere.
 const SCATTER: u64 = 2_654_435_761;

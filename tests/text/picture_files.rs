@@ -7,7 +7,7 @@ use std::path::Path;
 use glam::Vec4;
 use image::{DynamicImage, ImageFormat, Rgb, Rgb32FImage, RgbImage};
 use raytoy::compile;
-use raytoy::library::{Image, Reading};
+use raytoy::assets::{Image, Reading};
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 

@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use glam::Vec4;
 use image::{DynamicImage, ImageFormat, Rgb, RgbImage, Rgba, RgbaImage};
-use raytoy::library::{Channel, Image, Reading};
+use raytoy::assets::{Channel, Image, Reading};
 
 const COLOR: Reading = Reading { has_curve: true, channel: None };
 const DATA: Reading = Reading { has_curve: false, channel: None };

@@ -1,9 +1,10 @@
 //! Files that a scene names: images and models, each read once.
 
 use super::Resolver;
+use crate::assets::Reading;
 use crate::diagnostic::Diagnostic;
 use crate::ir::Value;
-use crate::library::{Parameter, Reading, Type};
+use crate::library::{Parameter, Type};
 use crate::scene::{self, Kind};
 
 /// What WebGPU lets a shader read, without the models and the picture that gathers samples.

@@ -25,8 +25,9 @@ pub use self::placement::placed;
 use self::reader::Fields;
 use self::usage::Usage;
 use super::{Camera, Material, Scene, Texture, Value, fields};
+use crate::assets::{Image, Model};
 use crate::diagnostic::{Diagnostic, Place, Severity};
-use crate::library::{Const, Image, Library, Model};
+use crate::library::{Const, Library};
 use crate::scene;
 
 /// The scene that `root` describes, and warnings; `file` and `text` are where it was written.

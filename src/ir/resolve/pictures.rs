@@ -4,10 +4,11 @@ use glam::Vec3;
 
 use super::reader::Fields;
 use super::{Resolver, Usage};
+use crate::assets::{Channel, Image, Reading};
 use crate::diagnostic::Diagnostic;
 use crate::ir::fields::{EVERY_TEXTURE, Group};
 use crate::ir::{Fit, Picture, Value};
-use crate::library::{Channel, Const, Image, Reading, Type};
+use crate::library::{Const, Type};
 use crate::scene::{self, Kind};
 
 impl Resolver<'_> {

@@ -3,7 +3,7 @@
 pub mod random;
 pub mod shapes;
 
-use raytoy::library::Model;
+use raytoy::assets::Model;
 
 /// What is read from a file of these bytes.
 pub fn decoded(bytes: &[u8]) -> Result<Model, String> {

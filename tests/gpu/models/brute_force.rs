@@ -1,7 +1,7 @@
 //! All triangles of a model in f64, each asked about each ray.
 
 use glam::DVec3;
-use raytoy::library::Model;
+use raytoy::assets::Model;
 
 /// Triangles without any order.
 pub struct Soup {
@@ -22,7 +22,7 @@ pub struct Met {
 
 impl Soup {
     pub fn of(model: &Model) -> Self {
-        let corner = |c: &raytoy::library::Corner| c.position.as_dvec3();
+        let corner = |c: &raytoy::assets::Corner| c.position.as_dvec3();
         let triangles: Vec<_> = model.triangles.iter().map(|t| [0, 1, 2].map(|i| corner(&t[i]))).collect();
         let corners = || triangles.iter().flatten().copied();
         let low = corners().reduce(DVec3::min).expect("a model has triangles");

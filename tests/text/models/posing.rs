@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use raytoy::library::Model;
+use raytoy::assets::Model;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 use serde_json::{Value, json};

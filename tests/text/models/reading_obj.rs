@@ -1,7 +1,7 @@
 //! What an OBJ file says, to the last digit.
 
 use glam::{Vec2, Vec3};
-use raytoy::library::Corner;
+use raytoy::assets::Corner;
 
 use super::decoded;
 use crate::common::read;

@@ -1,7 +1,7 @@
 //! Odd values: what can be read without them is read, and a warning counts them.
 
 use glam::Vec3;
-use raytoy::library::Model;
+use raytoy::assets::Model;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 use serde_json::json;

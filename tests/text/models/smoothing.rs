@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use glam::Vec3;
-use raytoy::library::Corner;
+use raytoy::assets::Corner;
 
 use super::reading_obj::faces;
 use super::shapes;

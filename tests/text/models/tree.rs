@@ -1,7 +1,7 @@
 //! The tree of boxes: rays of each octant come by all triangles, once, and find the way out.
 
 use glam::Vec3;
-use raytoy::library::Model;
+use raytoy::assets::Model;
 
 use super::random::Random;
 use super::{decoded, shapes};

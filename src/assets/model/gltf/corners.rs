@@ -6,7 +6,7 @@ use glam::{DMat3, DMat4, DVec3, Vec2, Vec3};
 use super::Reader;
 use super::document::{Attributes, Primitive};
 use super::elements::{Elements, Kind};
-use crate::library::model::found::Found;
+use crate::assets::model::found::Found;
 
 /// What moves all corners of a primitive.
 pub enum Mover<'a> {

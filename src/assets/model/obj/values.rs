@@ -6,8 +6,8 @@ use glam::{DVec3, Vec2, Vec3};
 
 use super::statements::{Statement, statements};
 use super::{in_line, number, shown, text};
-use crate::library::model::MOST_COORDINATE;
-use crate::library::model::found::Found;
+use crate::assets::model::MOST_COORDINATE;
+use crate::assets::model::found::Found;
 
 /// Positions, uv and normals. One that is no number keeps its place: the others keep theirs.
 #[derive(Default)]

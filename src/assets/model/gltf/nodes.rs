@@ -5,8 +5,8 @@ use glam::{DAffine3, DMat4, DQuat, DVec3, Quat, Vec3};
 use super::Reader;
 use super::document::{Document, Instancing, Node, Skin, at};
 use super::elements::Kind;
-use crate::library::model::MOST_TRIANGLES;
-use crate::library::model::found::too_many;
+use crate::assets::model::MOST_TRIANGLES;
+use crate::assets::model::found::too_many;
 
 /// The matrix of each node to the scene.
 ///

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use super::document::{Document, View, at};
-use crate::library::model::Beside;
+use crate::assets::model::Beside;
 
 /// What a buffer holds.
 pub enum Buffer<'a> {

@@ -9,7 +9,6 @@ mod places;
 mod polygon;
 mod smooth;
 mod surfaces;
-mod tree;
 
 use std::collections::HashSet;
 use std::fmt;
@@ -18,7 +17,7 @@ use std::sync::Arc;
 use glam::{DVec3, Vec2, Vec3};
 
 use self::found::{Face, Findings};
-pub use tree::Node;
+use crate::bvh::{self, Bvh, Node};
 
 /// Triangles in the space of the object that they are the shape of, scene units.
 #[derive(Clone)]
@@ -92,8 +91,10 @@ impl Model {
             faces.iter_mut().for_each(|face| face.corners.swap(1, 2));
         }
         let has_uv = faces.iter().flat_map(|face| &face.corners).all(|corner| corner.uv.is_some());
-        let (triangles, nodes) = tree::plant(&smooth::finish(&faces));
-        let (triangles, nodes) = (triangles.into(), nodes.into());
+        let triangles = smooth::finish(&faces);
+        let Bvh { order, nodes } = bvh::build(&triangles.iter().map(bounds).collect::<Vec<_>>());
+        let triangles = order.iter().map(|i| triangles[*i as usize]).collect();
+        let nodes = nodes.into();
         Ok(Self { file, digest: 0, beside: names, warnings, origin, triangles, nodes, is_closed, has_uv })
     }
 
@@ -112,7 +113,7 @@ impl Model {
                 true => triangles + TRIANGLE_TEXELS as u32 * node.first,
                 false => node_at(node.first),
             };
-            let next = node.next.map(|next| if next == tree::END { tree::END } else { node_at(next) });
+            let next = node.next.map(|next| if next == bvh::END { bvh::END } else { node_at(next) });
             let [a, b, c, d, e, f, g, h] = next;
             words.extend([with(node.low, first), with(node.high, node.shape), [a, b, c, d], [e, f, g, h]]);
         }
@@ -186,6 +187,12 @@ fn remove_idle(faces: &mut Vec<Face>) {
 
 fn with(v: Vec3, word: u32) -> [u32; 4] {
     [v.x.to_bits(), v.y.to_bits(), v.z.to_bits(), word]
+}
+
+/// The box around a triangle.
+fn bounds(triangle: &[Corner; 3]) -> [Vec3; 2] {
+    let [a, b, c] = triangle.map(|corner| corner.position);
+    [a.min(b).min(c), a.max(b).max(c)]
 }
 
 /// The outward normal of a flat triangle, length 1; zero where it has no area.

@@ -1,4 +1,6 @@
-//! The tree of boxes over a model's triangles, in which every node says where a ray goes on.
+//! A bounding volume hierarchy (BVH): a tree of boxes in which every node says where a ray goes on.
+//!
+//! In: boxes. Out: [`Bvh`].
 
 use glam::Vec3;
 use obvhs::aabb::Aabb;
@@ -6,16 +8,23 @@ use obvhs::bvh2::leaf_collapser::collapse;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
-use super::Corner;
+/// A tree of boxes. Its leaves name ranges of `order`.
+#[derive(Clone, Debug)]
+pub struct Bvh {
+    /// The indices of the boxes that it was built over, in the order of the leaves.
+    pub order: Vec<u32>,
+    /// The root first.
+    pub nodes: Vec<Node>,
+}
 
-/// A box.
+/// A box of the tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
     pub low: Vec3,
-    /// Its first child, which the other one follows, or its first triangle.
+    /// Its first child, which the other one follows, or the first of its boxes in [`Bvh::order`].
     pub first: u32,
     pub high: Vec3,
-    /// How many triangles it has, none if it has children; bit 8 + o says that the second child is the nearer
+    /// How many boxes it has, none if it has children; bit 8 + o says that the second child is the nearer
     /// for directions of octant o.
     pub shape: u32,
     /// Where a ray of each octant goes on when it is done with the node, [`END`] if nowhere. So it meets near
@@ -24,8 +33,8 @@ pub struct Node {
     pub next: [u32; 8],
 }
 
-/// Triangles in a leaf: a ray asks all of them.
-const MOST_IN_LEAF: u32 = 4;
+/// Boxes in a leaf: a ray asks for what is in all of them.
+const MAX_IN_LEAF: u32 = 4;
 
 /// There is no such node.
 pub const END: u32 = u32::MAX;
@@ -40,12 +49,9 @@ impl Node {
     }
 }
 
-/// The triangles in the order of the leaves, and the nodes.
-pub fn plant(triangles: &[[Corner; 3]]) -> (Vec<[Corner; 3]>, Vec<Node>) {
-    let boxes: Vec<Aabb> = triangles
-        .iter()
-        .map(|triangle| Aabb::from_points(&triangle.map(|corner| corner.position.into())))
-        .collect();
+/// Builds the tree over `boxes`, each given by its low and its high corner; there must be at least one.
+pub fn build(boxes: &[[Vec3; 2]]) -> Bvh {
+    let boxes: Vec<Aabb> = boxes.iter().map(|[low, high]| Aabb::new((*low).into(), (*high).into())).collect();
     // As obvhs::bvh2::builder does for BvhBuildParams::medium_build, but for its check, which takes longer
     // than the tree and panics.
     let mut tree = PlocBuilder::with_capacity(boxes.len()).build(
@@ -57,9 +63,8 @@ pub fn plant(triangles: &[[Corner; 3]]) -> (Vec<[Corner; 3]>, Vec<Node>) {
     );
     let mut optimizer = ReinsertionOptimizer::default();
     optimizer.run(&mut tree, 0.05, None);
-    collapse(&mut tree, MOST_IN_LEAF, 3.0);
+    collapse(&mut tree, MAX_IN_LEAF, 3.0);
     optimizer.run(&mut tree, 0.1, None);
-    let ordered = tree.primitive_indices.iter().map(|i| triangles[*i as usize]).collect();
     let mut nodes: Vec<Node> = tree
         .nodes
         .iter()
@@ -72,7 +77,7 @@ pub fn plant(triangles: &[[Corner; 3]]) -> (Vec<[Corner; 3]>, Vec<Node>) {
         })
         .collect();
     thread(&mut nodes);
-    (ordered, nodes)
+    Bvh { order: tree.primitive_indices, nodes }
 }
 
 /// Tells each node which child is the nearer, and where rays go on.
