@@ -17,7 +17,6 @@
 //! assert!(outcome.compiled.unwrap().source.generated().contains("fn rayTraceScene"));
 //! ```
 
-pub mod app;
 pub mod assets;
 mod bvh;
 pub mod capture;
@@ -26,6 +25,7 @@ pub mod compile;
 pub mod diagnostic;
 pub mod difference;
 pub mod edit;
+pub mod engine;
 pub mod export;
 mod files;
 pub mod frame;
@@ -36,6 +36,7 @@ pub mod laws;
 pub mod library;
 pub mod module;
 pub mod outline;
+pub mod panel;
 pub mod scene;
 pub mod sketch;
 pub mod sources;
@@ -43,5 +44,6 @@ mod stage;
 pub mod suite;
 pub mod watch;
 pub mod wgsl;
+pub mod window;
 
 pub use compile::{Compiled, Outcome, Times, compile, on_deep_stack};

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use glam::Vec4;
 use image::{DynamicImage, ImageFormat, Rgb, Rgb32FImage, RgbImage};
-use raytoy::compile;
 use raytoy::assets::{Image, Reading};
+use raytoy::compile;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
 

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use raytoy::app::{Settings, Theme, cache, folder};
+use raytoy::panel::{Settings, Theme, cache, folder};
 use tempfile::TempDir;
 
 /// The settings read from a file that says `text`.

@@ -6,7 +6,7 @@ use raytoy::library::{Family, Library, sample};
 use raytoy::sources::Sources;
 
 /// What a room may take from: `crate::` and one of these. Rooms of the same name may take from themselves.
-const IMPORTS: [(&str, &[&str]); 28] = [
+const IMPORTS: &[(&str, &[&str])] = &[
     ("diagnostic", &[]),
     ("sources", &["diagnostic"]),
     ("scene", &["diagnostic"]),
@@ -47,14 +47,11 @@ const IMPORTS: [(&str, &[&str]); 28] = [
         ],
     ),
     (
-        "app",
+        "engine",
         &[
             "capture",
             "compile",
             "diagnostic",
-            "difference",
-            "edit",
-            "export",
             "files",
             "frame",
             "gpu",
@@ -69,9 +66,30 @@ const IMPORTS: [(&str, &[&str]); 28] = [
         ],
     ),
     (
+        "panel",
+        &[
+            "capture",
+            "compile",
+            "diagnostic",
+            "difference",
+            "edit",
+            "engine",
+            "export",
+            "files",
+            "frame",
+            "gpu",
+            "ir",
+            "library",
+            "outline",
+            "scene",
+            "sources",
+            "wgsl",
+        ],
+    ),
+    ("window", &["compile", "diagnostic", "engine", "gpu", "panel", "sources"]),
+    (
         "cli",
         &[
-            "app",
             "capture",
             "compile",
             "diagnostic",
@@ -82,10 +100,12 @@ const IMPORTS: [(&str, &[&str]); 28] = [
             "gpu",
             "ir",
             "library",
+            "panel",
             "sketch",
             "sources",
             "suite",
             "wgsl",
+            "window",
         ],
     ),
     ("compile", &["diagnostic", "ir", "library", "module", "scene", "sources", "wgsl"]),
@@ -94,13 +114,13 @@ const IMPORTS: [(&str, &[&str]); 28] = [
 
 /// What only some rooms may name, and where.
 const RESERVED: [(&str, &[&str]); 9] = [
-    ("wgpu::", &["gpu", "app"]),
-    ("winit::", &["app"]),
-    ("egui::", &["app"]),
+    ("wgpu::", &["gpu", "engine", "window"]),
+    ("winit::", &["window"]),
+    ("egui::", &["panel", "window"]),
     ("notify::", &["watch"]),
     ("clap::", &["cli"]),
     ("png::", &["capture"]),
-    ("std::fs", &["sources", "files", "suite", "app", "capture", "cli", "watch", "build"]),
+    ("std::fs", &["sources", "files", "suite", "engine", "panel", "capture", "cli", "watch", "build"]),
     ("println!", &["cli", "build"]),
     // One line in gpu: an error that slips through all scopes has nowhere else to go.
     ("eprintln!", &["cli", "gpu/device"]),

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use raytoy::app::{COMMANDS, new_scene, new_texture};
 use raytoy::compile;
+use raytoy::panel::{COMMANDS, new_scene, new_texture};
 
 use raytoy::sources::{Disk, Sources};
 use raytoy::wgsl::Mode;

@@ -4,7 +4,6 @@
 use crate::common::{expect_compiled, expect_none, outcome_of, root};
 use crate::device::gpu;
 use glam::{Vec2, Vec3, vec2, vec3};
-use raytoy::app::handles::{Ball, Direction, Handle, Known, Movable, Place, Tripod, movables};
 use raytoy::edit::{Edit, NewValue};
 use raytoy::frame::{Lens, Moment};
 use raytoy::gpu::{Probe, Ray};
@@ -12,6 +11,7 @@ use raytoy::ir::Camera;
 use raytoy::laws::Random;
 use raytoy::library::{Family, Library, sample};
 use raytoy::outline::{Outline, outline};
+use raytoy::panel::handles::{Ball, Direction, Handle, Known, Movable, Place, Tripod, movables};
 use raytoy::scene::{Path, parse};
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;

@@ -5,10 +5,10 @@ use std::ops::Range;
 use glam::{DAffine3, DVec3};
 
 use super::Resolver;
+use crate::assets::Model;
 use crate::diagnostic::Diagnostic;
 use crate::ir::{Camera, Value};
 use crate::library::{Const, Function, Parameter};
-use crate::assets::Model;
 
 /// An object may lie so many times as far from the origin as it is large, or as half of what the camera sees
 /// there. Then 97 of 100 pixels are right; what is lost is the edge of shadows. At ten times as much they are

@@ -11,7 +11,6 @@ mod surfaces;
 
 use std::path::Path;
 
-use raytoy::assets::Model;
 use raytoy::frame::Moment;
 use raytoy::gpu::{Crossing, Gpu, Probe, Ray};
 use raytoy::sources::Sources;

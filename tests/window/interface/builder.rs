@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use raytoy::app::panel::Panel;
-use raytoy::app::{Change, Focus, Order, Picture, Texels};
 use raytoy::diagnostic::Report;
+use raytoy::engine::{Change, Focus, Order, Picture, Texels};
 use raytoy::ir::Measure;
 use raytoy::library::Library;
 use raytoy::outline::outline;
+use raytoy::panel::Panel;
 use raytoy::scene::parse;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;

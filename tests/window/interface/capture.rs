@@ -4,8 +4,8 @@ use std::path::Path;
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
-use raytoy::app::panel::CaptureDeed;
 use raytoy::frame::View;
+use raytoy::panel::CaptureDeed;
 
 use super::SCENE;
 use super::harness::Studio;

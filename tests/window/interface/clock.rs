@@ -2,7 +2,7 @@
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
-use raytoy::app::Clock;
+use raytoy::engine::Clock;
 
 use super::SCENE;
 use super::harness::Studio;

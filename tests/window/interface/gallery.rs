@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use egui::accesskit::Role;
-use egui::{Color32, ColorImage, Key, Modifiers, OutputCommand};
+use egui::{Key, Modifiers, OutputCommand};
 use egui_kittest::kittest::{NodeT, Queryable};
-use raytoy::app::thumbnails::{News, Subject};
+use raytoy::engine::thumbnails::{News, Subject, Thumbnail};
 
 use super::SCENE;
 use super::harness::Studio;
@@ -140,7 +140,7 @@ fn a_scene_with_mistakes_says_so_and_others_have_pictures() {
     let mut studio = opened();
     let subject = |studio: &Studio, name: &str| Subject::Scene(studio.home.path().join(name));
     let [broken, meadow] = ["broken.ron", "meadow.ron"].map(|name| subject(&studio, name));
-    let picture = Arc::new(ColorImage::filled([4, 3], Color32::GREEN));
+    let picture = Arc::new(Thumbnail { size: [4, 3], rgba: [0, 255, 0, 255].repeat(12) });
     let panel = &mut studio.harness.state_mut().panel;
     panel.hang(News::Picture(broken, Err("there is no shape `Spere`".into())));
     panel.hang(News::Picture(meadow, Ok(picture)));

@@ -7,9 +7,10 @@ use egui::accesskit::{Role, Toggled};
 use egui::{Event, Key, Modifiers, Pos2, Rect, Vec2};
 use egui_kittest::kittest::{AccessKitNode, NodeT, Queryable};
 use egui_kittest::{Harness, Node};
-use raytoy::app::panel::{CaptureDeed, Panel, apply_style};
-use raytoy::app::thumbnails::{News, Subject, Wish, catalog};
-use raytoy::app::{Look, Order, Settings};
+use raytoy::engine::thumbnails::{News, Subject, Wish, catalog};
+use raytoy::engine::{Look, Order};
+use raytoy::panel::Settings;
+use raytoy::panel::{CaptureDeed, Panel, apply_style};
 use raytoy::sources::Disk;
 use tempfile::TempDir;
 

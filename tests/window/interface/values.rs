@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::Node;
 use egui_kittest::kittest::{NodeT, Queryable};
-use raytoy::app::Change;
+use raytoy::engine::Change;
 
 use super::SCENE;
 use super::harness::{Studio, is};

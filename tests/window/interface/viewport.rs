@@ -9,9 +9,9 @@ use egui::{
 };
 use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{Vec2, Vec3};
-use raytoy::app::handles::{Handle, Tripod};
-use raytoy::app::{Focus, Slow};
+use raytoy::engine::{Focus, Slow};
 use raytoy::frame::{Lens, View};
+use raytoy::panel::handles::{Handle, Tripod};
 
 use super::SCENE;
 use super::harness::{Studio, is};

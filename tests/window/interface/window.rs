@@ -5,8 +5,8 @@ use std::fs;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
-use raytoy::app::{COMMANDS, Settings, Theme};
 use raytoy::frame::View;
+use raytoy::panel::{COMMANDS, Settings, Theme};
 
 use super::SCENE;
 use super::harness::{Studio, is};

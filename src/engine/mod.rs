@@ -1,0 +1,25 @@
+//! The threads that compile and draw while a scene is edited, and what they and the window send each other.
+//!
+//! In: orders and wishes. Out: notices, with pictures. It knows neither windows nor widgets. Its threads only
+//! ever send:
+//!
+//! ```text
+//! watcher ─► builder (compile, make the pipeline) ─► painter (draw) ─► window (show, ask for another look)
+//! ```
+
+pub mod album;
+pub mod builder;
+mod drawable;
+mod easel;
+pub mod events;
+pub mod focus;
+pub mod messages;
+pub mod orders;
+pub mod painter;
+pub mod thumbnails;
+pub mod trial;
+
+pub use self::events::Change;
+pub use self::focus::Focus;
+pub use self::messages::{Clock, Look, Picture, Slow, Texels};
+pub use self::orders::Order;

@@ -1,0 +1,142 @@
+//! The gallery: scenes, textures and shapes as pictures, to be found by a part of their names or captions.
+//!
+//! In: what a thread tells of them. Out: what to ask of that thread, and what the author has chosen.
+
+mod details;
+mod query;
+mod shelves;
+mod tile;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use egui::{Color32, Frame, Id, Modal, TextureHandle, Ui, Vec2};
+
+use self::query::Query;
+use super::scenes::{full_name, neighbours, stem};
+use super::{Deeds, Leaving, Panel};
+use crate::edit::Edit;
+use crate::engine::thumbnails::{Item, News, Subject, Thumbnail, Wish};
+use crate::outline::NodeKind;
+
+/// Points: how wide the sheet is at most, and what stays free around it.
+const WIDTH: f32 = 1240.0;
+const AROUND: Vec2 = Vec2::new(72.0, 80.0);
+
+/// What there is to see, and who looks at it.
+#[derive(Default)]
+pub struct Gallery {
+    /// None while it is closed.
+    query: Option<Query>,
+    items: Vec<Item>,
+    pictures: BTreeMap<Subject, Hung>,
+    wishes: Vec<Wish>,
+}
+
+/// What came of a picture.
+enum Hung {
+    /// It is a texture, too, once it was looked at.
+    Picture(Arc<Thumbnail>, Option<TextureHandle>),
+    /// Why there is none.
+    Failure(String),
+}
+
+/// What the author has chosen.
+enum Deed {
+    Close,
+    Open(PathBuf),
+    /// RON text of one more object.
+    Add(String),
+}
+
+impl Gallery {
+    pub fn is_open(&self) -> bool {
+        self.query.is_some()
+    }
+
+    /// Another thread takes the place of the one before, and other textures that of those before.
+    pub fn begin_again(&mut self) {
+        self.pictures.clear();
+        if let Some(query) = &mut self.query {
+            query.begin_again();
+        }
+    }
+
+    fn close(&mut self) {
+        self.query = None;
+        self.wishes.push(Wish::Draw { subjects: vec![], seen: 0, size: [1; 2] });
+    }
+}
+
+impl Panel {
+    /// Takes what the thread of the thumbnails tells.
+    pub fn hang(&mut self, news: News) {
+        let Gallery { items, pictures, .. } = &mut self.gallery;
+        match news {
+            News::Catalog(catalog) => *items = catalog,
+            News::Picture(subject, Err(mistakes)) => drop(pictures.insert(subject, Hung::Failure(mistakes))),
+            News::Picture(subject, Ok(image)) => {
+                let known = pictures.get(&subject);
+                if !matches!(known, Some(Hung::Picture(known, _)) if Arc::ptr_eq(known, &image)) {
+                    pictures.insert(subject, Hung::Picture(image, None));
+                }
+            }
+        }
+    }
+
+    pub(super) fn toggle_gallery(&mut self) {
+        if self.gallery.is_open() {
+            return self.gallery.close();
+        }
+        self.scenes = neighbours(&self.scene);
+        self.gallery.query = Some(Query::default());
+    }
+
+    /// Shows it, if it is open; what to ask of the thread of the thumbnails.
+    pub(super) fn gallery(&mut self, ui: &Ui, deeds: &mut Deeds) -> Vec<Wish> {
+        if let Some(mut query) = self.gallery.query.take() {
+            if query.is_new() {
+                let list = self.all_that_is_there();
+                self.gallery.wishes.push(list);
+            }
+            let Gallery { items, pictures, wishes, .. } = &mut self.gallery;
+            let id = Id::unique("gallery");
+            let area = Modal::default_area(id).fade_in(false).accessible_name("gallery");
+            let modal = Modal::new(id).area(area).backdrop_color(Color32::from_black_alpha(70));
+            let frame = Frame::popup(ui.style()).inner_margin(16.0);
+            let room = ui.ctx().content_rect().size() - AROUND;
+            let shown = modal.frame(frame).show(ui.ctx(), |ui| {
+                ui.set_max_size(room.min(Vec2::new(WIDTH, f32::INFINITY)).max(Vec2::splat(100.0)));
+                ui.set_min_size(ui.max_rect().size());
+                query.show(ui, items, pictures)
+            });
+            wishes.extend(query.wish());
+            self.gallery.query = Some(query);
+            if shown.inner.is_some() || shown.should_close() {
+                self.gallery.close();
+            }
+            match shown.inner {
+                Some(Deed::Open(scene)) if scene != self.scene => self.leave(Leaving::Open(scene)),
+                Some(Deed::Add(item)) => self.add_object(item, deeds),
+                _ => {}
+            }
+        }
+        std::mem::take(&mut self.gallery.wishes)
+    }
+
+    /// Asks for the scenes that the menu has, too, and for all that this scene could name.
+    fn all_that_is_there(&self) -> Wish {
+        let here = self.scenes.iter().map(|path| (path.clone(), stem(path)));
+        let elsewhere = self.recent.iter().map(|path| (path.clone(), full_name(path)));
+        let folder = self.scene.parent().unwrap_or(Path::new("")).to_owned();
+        Wish::List { folder, scenes: here.chain(elsewhere).collect() }
+    }
+
+    fn add_object(&mut self, item: String, deeds: &mut Deeds) {
+        let Some((outline, _)) = &self.outline else { return };
+        let Some(objects) = outline.nodes.iter().find(|node| node.kind == NodeKind::Objects) else { return };
+        let (list, index) = (objects.path.clone(), objects.nodes.len());
+        deeds.edits.push(Edit::Insert { list, index, item });
+    }
+}

@@ -1,0 +1,163 @@
+//! The scene's tree, and below it all values of what is chosen there.
+
+use std::cell::RefCell;
+use std::path::Path;
+
+use egui::{RichText, Ui};
+
+use super::fields::Fields;
+use super::tree::Tree;
+use super::{Deeds, Panel, changing, picking, widgets};
+use crate::library::Library;
+use crate::outline::{self, Field, Node, NodeKind, Role};
+use crate::sources::Disk;
+
+impl Panel {
+    pub(super) fn inspector(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+        self.conflicts(ui, deeds);
+        let Some((outline, text)) = self.outline.take() else { return };
+        let scene = self.scene.clone();
+        let disk = self.disk.clone();
+        let lacking = RefCell::default();
+        let example = |role: Role, name: &str| match example(&disk, &scene, role, name) {
+            Ok(words) => Some(words),
+            Err(why) => {
+                lacking.replace(Some(why));
+                None
+            }
+        };
+        let search =
+            egui::TextEdit::singleline(&mut self.wanted).hint_text("find").desired_width(f32::INFINITY);
+        ui.add(search).accessible_name("find in the scene");
+        let height = ui.available_height();
+        let before = self.selected.clone();
+        egui::ScrollArea::vertical()
+            .id_salt("tree")
+            .max_height(0.42 * height)
+            .auto_shrink([false, true])
+            .show(ui, |ui| {
+                let Deeds { edits, .. } = deeds;
+                let (selected, wanted) = (&mut self.selected, self.wanted.as_str());
+                Tree { edits, selected, wanted, example: &example, text: &text }.show(ui, &outline);
+            });
+        if self.selected != before {
+            // An answer that is still on its way comes too late.
+            self.picking.give_up();
+        }
+        ui.separator();
+        let chosen = self.selected.as_ref().and_then(|path| picking::find(&outline.nodes, path));
+        egui::ScrollArea::vertical().id_salt("fields").auto_shrink([false, false]).show(
+            ui,
+            |ui| match chosen {
+                Some(node) => self.node(ui, node, deeds, &example),
+                None => {
+                    ui.label(RichText::new("Choose something in the tree to see its values.").weak());
+                }
+            },
+        );
+        if let Some(why) = lacking.take() {
+            self.notice = Some(why);
+        }
+        self.outline = Some((outline, text));
+    }
+
+    fn node(
+        &mut self,
+        ui: &mut Ui,
+        node: &Node,
+        deeds: &mut Deeds,
+        example: &dyn Fn(Role, &str) -> Option<String>,
+    ) {
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(&node.label).strong().size(14.0));
+            if !node.names.is_empty() {
+                self.rename(ui, node, deeds, example);
+            }
+        });
+        ui.label(RichText::new(&node.doc).weak().small());
+        ui.add_space(4.0);
+        let texture = |name: &str| example(Role::Texture, name);
+        let place = (&self.disk, self.scene.as_path());
+        let becomes = |field: &Field, name: &str| match texture(name) {
+            Some(_) => changing::replaced(place, field, name),
+            None => vec![],
+        };
+        let (edits, pending) = (&mut deeds.edits, &self.pending);
+        let mut fields = Fields { edits, pending, example: &texture, becomes: &becomes };
+        widgets::group(ui, &node.label, |ui| fields.show(ui, &node.fields));
+        if node.kind == NodeKind::Camera {
+            self.bookmarks(ui);
+        }
+    }
+
+    /// What kind of thing it is, which can be another one.
+    fn rename(
+        &self,
+        ui: &mut Ui,
+        node: &Node,
+        deeds: &mut Deeds,
+        example: &dyn Fn(Role, &str) -> Option<String>,
+    ) {
+        let role = if node.kind == NodeKind::Light { Role::Light } else { Role::Solid };
+        let shown = node.name.as_deref().unwrap_or_default();
+        let menu = egui::ComboBox::from_id_salt("kind").selected_text(shown);
+        let shown = menu.show_ui(ui, |ui| {
+            for name in node.names.iter() {
+                let is_new = ui.selectable_label(name == shown, name).clicked() && name != shown;
+                if is_new && example(role, name).is_some() {
+                    deeds.edits.extend(changing::renamed((&self.disk, &self.scene), node, name));
+                }
+            }
+        });
+        shown.response.accessible_name("kind");
+    }
+
+    /// What was changed here and in the file, for the author to choose.
+    fn conflicts(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+        let mut choice = None;
+        for (i, conflict) in self.document.conflicts.iter().enumerate() {
+            egui::Frame::group(ui.style()).show(ui, |ui| {
+                ui.label(RichText::new("The file was changed at the same place").strong());
+                let theirs = conflict.theirs.as_deref().unwrap_or("nothing");
+                ui.label(format!("it says {theirs}"));
+                ui.horizontal(|ui| {
+                    if ui.button("Keep the file's").clicked() {
+                        choice = Some((i, false));
+                    }
+                    let mine = egui::Button::new("Take mine");
+                    if ui.add_enabled(conflict.again.is_some(), mine).clicked() {
+                        choice = Some((i, true));
+                    }
+                });
+            });
+        }
+        if let Some((i, with_mine)) = choice
+            && self.document.settle(i, with_mine)
+        {
+            deeds.orders.push(crate::engine::orders::Order::Edited(self.document.overlay()));
+        }
+    }
+}
+
+/// RON text of a `name` with no more than it must be given.
+///
+/// # Errors
+/// Which file is missing for it.
+fn example(disk: &Disk, scene: &Path, role: Role, name: &str) -> Result<String, String> {
+    with_library(disk, scene, |library| {
+        let needed = outline::needed_file(role, name, library);
+        match needed.filter(|needed| library.files(needed.extensions).is_empty()) {
+            Some(needed) => {
+                let (noun, endings) = (needed.noun, needed.extensions.join(", ."));
+                Err(format!("{name} shows a {noun}: put a file (.{endings}) into the scene's folder first"))
+            }
+            None => Ok(outline::example(role, name, library).unwrap_or_else(|| format!("{name}()"))),
+        }
+    })
+}
+
+/// Asks for what `scene` can name.
+pub fn with_library<T>(disk: &Disk, scene: &Path, ask: impl FnOnce(&Library<'_>) -> T) -> T {
+    let sources = disk.sources();
+    ask(&Library::new(&sources, scene.parent().unwrap_or(Path::new(""))))
+}

@@ -1,0 +1,297 @@
+//! The window's thread: winit's events in, wishes out. It never compiles, draws a scene or waits for the GPU.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use winit::application::ApplicationHandler;
+use winit::event::{StartCause, WindowEvent};
+use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
+use winit::window::{Window, WindowId};
+
+use super::Options;
+use super::backend::{self, Backend};
+use super::open::{Fresh, Open};
+use super::screen::Frame;
+use crate::diagnostic::{Diagnostic, Report, Severity};
+use crate::engine::events::Event;
+use crate::engine::messages::{Notice, Remote, Wish};
+use crate::engine::orders::Order;
+use crate::engine::trial::Trial;
+use crate::gpu::GpuError;
+use crate::panel::{Memory, Panel, Theme};
+
+/// Opens the window and returns when it is closed.
+pub fn run(options: Options, on_event: &dyn Fn(&Event)) -> Result<(), String> {
+    let events = EventLoop::<(u32, Notice)>::with_user_event().build().map_err(|error| {
+        let instead = "without a display, draw to a file: raytoy render SCENE -o out.png";
+        format!("no window can be opened: {error}\n{instead}")
+    })?;
+    let proxy = events.create_proxy();
+    backend::listen(&options, proxy.clone());
+    let mut app = App { options, on_event, proxy, open: None, failure: None, blocked: Duration::ZERO };
+    events.run_app(&mut app).map_err(|error| error.to_string())?;
+    app.failure.map_or(Ok(()), Err)
+}
+
+struct App<'a> {
+    options: Options,
+    on_event: &'a dyn Fn(&Event),
+    proxy: EventLoopProxy<(u32, Notice)>,
+    open: Option<Open>,
+    /// Why the window had to close.
+    failure: Option<String>,
+    /// The longest event since the last picture.
+    blocked: Duration,
+}
+
+/// What a new text offers may show that much later: where it has another picture, the window is drawn for
+/// that, and until then the driver needs the processor.
+const PATIENCE: Duration = Duration::from_millis(300);
+
+/// A driver that gives up this often before it has drawn anything does not come back.
+const MOST_IN_VAIN: u32 = 4;
+
+impl App<'_> {
+    fn open(&self, event_loop: &ActiveEventLoop) -> Result<Open, String> {
+        let memory = Memory::open(self.options.memory.clone());
+        let [width, height] = self.options.size.unwrap_or(memory.kept().size);
+        let attributes = Window::default_attributes()
+            .with_title("raytoy")
+            .with_inner_size(winit::dpi::LogicalSize::new(width, height));
+        let window = Arc::new(event_loop.create_window(attributes).map_err(|e| e.to_string())?);
+        let backend = self.backend(
+            &window,
+            event_loop,
+            0,
+            (&self.options.scene, Trial::default(), memory.kept().theme),
+        )?;
+        let panel = Panel::new(&self.options.scene, backend.adapter(), memory.kept().clone());
+        let panel = panel.on(&self.options.disk);
+        (self.on_event)(&Event::Opened { adapter: backend.adapter() });
+        Ok(Open::new(window, backend, 0, panel, memory))
+    }
+
+    /// Starts the device with this number, counted from 0, and all that stands on it.
+    fn backend(
+        &self,
+        window: &Arc<Window>,
+        event_loop: &ActiveEventLoop,
+        number: u32,
+        begun: (&Path, Trial, Theme),
+    ) -> Result<Backend, String> {
+        let proxy = self.proxy.clone();
+        // A loop that has ended wants no more news.
+        let notify = move |notice| drop(proxy.send_event((number, notice)));
+        Backend::start(window, event_loop.owned_display_handle(), &self.options, begun, notify)
+    }
+
+    /// Goes on with another device in place of one that is lost. What the author has done stays.
+    fn restart(&mut self, event_loop: &ActiveEventLoop, why: String) {
+        let Some(open) = self.open.take() else { return };
+        let Open { window, mut backend, restarts, vain, mut trial, mut panel, memory: kept, .. } = open;
+        trial.fail(&why);
+        let memory = backend.context.memory(Clone::clone);
+        let picture = backend.screen.take_picture();
+        // The surface has to let go of the window before another one takes it.
+        drop(backend);
+        let number = restarts + 1;
+        let started = match vain < MOST_IN_VAIN {
+            true => {
+                let begun = (panel.scene(), trial.clone(), panel.settings.theme);
+                self.backend(&window, event_loop, number, begun)
+            }
+            false => Err(format!("the GPU is lost again and again: {why}")),
+        };
+        match started {
+            Ok(mut backend) => {
+                // It stays on the screen while the new device draws it again.
+                picture.into_iter().for_each(|picture| backend.screen.set_picture(picture));
+                backend.context.memory_mut(|fresh| *fresh = memory);
+                for order in panel.begin_again() {
+                    let _ = backend.builder.send(order);
+                }
+                window.request_redraw();
+                (self.on_event)(&Event::Restarted { adapter: backend.adapter(), why });
+                let open = Open::new(window, backend, number, panel, kept);
+                self.open = Some(Open { vain: vain + 1, trial, ..open });
+            }
+            Err(why) => {
+                self.failure = Some(why);
+                event_loop.exit();
+            }
+        }
+    }
+
+    /// Keeps the longest time that the thread was busy with one event.
+    fn timed(&mut self, work: impl FnOnce(&mut Self)) {
+        let begun = Instant::now();
+        work(self);
+        self.blocked = self.blocked.max(begun.elapsed());
+    }
+
+    fn redraw(&mut self) {
+        let Some(open) = &mut self.open else { return };
+        if open.backend.screen.is_presenting() {
+            open.is_outdated = true;
+            return;
+        }
+        if let Some(object) = open.panel.take_choice() {
+            (self.on_event)(&Event::Chosen { object });
+        }
+        let frame = open.draw();
+        if frame != Frame::Dropped {
+            open.sent = open.fresh.take();
+        }
+        if frame == Frame::Shown {
+            self.presented();
+        }
+    }
+
+    /// The frame drawn last is on the screen.
+    fn presented(&mut self) {
+        let Some(open) = &mut self.open else { return };
+        let _ = open.backend.painter.send(Wish::Shown);
+        let Some(Fresh { mut event, noticed, compiled }) = open.sent.take() else { return };
+        let _ = open.backend.builder.send(Order::Shown(compiled));
+        if let Event::Presented { since_change_ms, blocked_ms, .. } = &mut event {
+            *since_change_ms = noticed.elapsed().as_secs_f64() * 1e3;
+            *blocked_ms = self.blocked.as_secs_f64() * 1e3;
+        }
+        self.blocked = Duration::ZERO;
+        (self.on_event)(&event);
+    }
+}
+
+impl ApplicationHandler<(u32, Notice)> for App<'_> {
+    fn resumed(&mut self, event_loop: &ActiveEventLoop) {
+        if self.open.is_some() {
+            return;
+        }
+        match self.open(event_loop) {
+            Ok(open) => self.open = Some(open),
+            Err(why) => {
+                self.failure = Some(why);
+                event_loop.exit();
+            }
+        }
+    }
+
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, (device, notice): (u32, Notice)) {
+        self.timed(|app| {
+            let Some(open) = &mut app.open else { return };
+            // What a lost device still tells is of no use.
+            if device != open.restarts && !matches!(notice, Notice::Remote(_)) {
+                return;
+            }
+            match notice {
+                Notice::Lost(why) | Notice::Failed(GpuError::Lost(why)) => {
+                    return app.restart(event_loop, why);
+                }
+                Notice::Remote(Remote::LoseDevice) => return open.backend.lose(),
+                Notice::Picture(picture) => open.take(picture),
+                Notice::Unsketched(compiled) => {
+                    return drop(open.backend.builder.send(Order::Shown(compiled)));
+                }
+                Notice::Frame { is_shown } => {
+                    open.backend.screen.end_frame();
+                    if std::mem::take(&mut open.is_outdated) {
+                        open.window.request_redraw();
+                    }
+                    return if is_shown {
+                        app.presented()
+                    };
+                }
+                Notice::Unchanged(warnings) => {
+                    (app.on_event)(&Event::Unchanged);
+                    if !open.panel.mend(&warnings) {
+                        return;
+                    }
+                }
+                Notice::Mended(warnings) => drop(open.panel.mend(&warnings)),
+                Notice::Tries(compiled) => {
+                    open.trial.begin(compiled);
+                    return (app.on_event)(&Event::Begun);
+                }
+                Notice::File(text) => {
+                    // A verdict follows, and shows.
+                    let _ = open.backend.builder.send(open.panel.file_says(&text));
+                    return;
+                }
+                Notice::Gallery(news) => open.panel.hang(news),
+                Notice::Captured => open.panel.follow(&mut open.backend.album),
+                Notice::Identity(identity) => open.panel.know(identity),
+                Notice::Outline { outline, text } => {
+                    open.panel.offer(outline, text);
+                    return open.draw_within(PATIENCE);
+                }
+                Notice::Ready { pipelines } => return (app.on_event)(&Event::Ready { pipelines }),
+                Notice::Broken(report) => {
+                    let errors = report.count(Severity::Error);
+                    (app.on_event)(&Event::Broken { errors, text: report.to_string() });
+                    open.panel.break_with(report);
+                }
+                Notice::Slow(slow) => {
+                    if let Some(slow) = slow.filter(|_| open.panel.slow.is_none()) {
+                        (app.on_event)(&Event::Slow { seconds: slow.sample.as_secs_f64().round() });
+                    }
+                    open.panel.slow = slow;
+                }
+                Notice::Failed(error) => {
+                    let diagnostics = vec![Diagnostic::error(error.to_string())];
+                    open.panel.break_with(Report { diagnostics, ..Report::default() });
+                }
+            }
+            open.window.request_redraw();
+        });
+    }
+
+    fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        self.timed(|app| {
+            let Some(open) = &mut app.open else { return };
+            let response = open.backend.input.on_window_event(&open.window, &event);
+            match event {
+                WindowEvent::CloseRequested if open.panel.closes() => event_loop.exit(),
+                WindowEvent::CloseRequested => {
+                    open.window.focus_window();
+                    open.window.request_redraw();
+                }
+                WindowEvent::Resized(size) => {
+                    open.backend.screen.resize(size.width, size.height);
+                    open.window.request_redraw();
+                }
+                WindowEvent::DroppedFile(file) => open.drop_file(file),
+                WindowEvent::RedrawRequested => app.redraw(),
+                _ if response.repaint => open.window.request_redraw(),
+                _ => {}
+            }
+        });
+    }
+
+    fn new_events(&mut self, _: &ActiveEventLoop, cause: StartCause) {
+        if let (StartCause::ResumeTimeReached { .. }, Some(open)) = (cause, &mut self.open) {
+            open.wake = None;
+            open.window.request_redraw();
+        }
+    }
+
+    fn exiting(&mut self, _: &ActiveEventLoop) {
+        if let Some(open) = &mut self.open {
+            let window = &open.window;
+            // One that fills the screen has no size to come back to.
+            if !window.is_maximized() && window.fullscreen().is_none() {
+                let size = window.inner_size().to_logical(window.scale_factor());
+                open.panel.settings.size = [size.width, size.height];
+            }
+            open.memory.keep(&open.panel.settings);
+        }
+    }
+
+    fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
+        if self.open.as_ref().is_some_and(|open| open.quits) {
+            event_loop.exit();
+        }
+        let wake = self.open.as_ref().and_then(|open| open.wake);
+        event_loop.set_control_flow(wake.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
+    }
+}
