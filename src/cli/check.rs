@@ -33,17 +33,17 @@ pub fn run(options: &CheckOptions) -> Result {
         wrong += usize::from(outcome.compiled.is_none());
     }
     match (files.len(), wrong) {
-        (0, _) => Err(Failure::Call("there are no .ron or .wgsl files".into())),
+        (0, _) => Err(Failure::Call("the folders contain no .ron or .wgsl files".into())),
         (1, 0) => {
-            eprintln!("{} is right", files[0].display());
+            eprintln!("{}: no mistakes", files[0].display());
             Ok(())
         }
         (n, 0) => {
-            eprintln!("all {n} files are right");
+            eprintln!("{n} files checked, no mistakes");
             Ok(())
         }
         (n, wrong) => {
-            eprintln!("{wrong} of {n} files with mistakes");
+            eprintln!("{wrong} of {n} files have mistakes");
             Err(Failure::Scene)
         }
     }

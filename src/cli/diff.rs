@@ -15,14 +15,14 @@ use crate::wgsl::Mode;
 pub fn run(options: &DiffOptions) -> Result {
     let [old, new] = [&options.old, &options.new];
     if [old, new].iter().all(|path| is_input(path)) {
-        return Err(Failure::Call("only one of the two scenes can come by standard input".into()));
+        return Err(Failure::Call("only one of the two scenes can come from standard input".into()));
     }
     let disk = super::disk(&options.root, [old, new])?;
-    // Both are read before one is refused, so that the mistakes of both are told.
+    // Both are read before one is refused, so that the mistakes of both are printed.
     let (old, new) = (compiled(&disk, old, new)?, compiled(&disk, new, old)?);
     let (Some(old), Some(new)) = (old, new) else {
         return Err(match options.exit_code {
-            true => Failure::Call("what is wrong cannot be compared".into()),
+            true => Failure::Call("a scene with mistakes cannot be compared".into()),
             false => Failure::Scene,
         });
     };
@@ -38,7 +38,7 @@ pub fn run(options: &DiffOptions) -> Result {
         let picture = picture.map_err(|error| match (Failure::from(error), options.exit_code) {
             (Failure::Endless(report), true) => {
                 print_report(&report);
-                Failure::Call("what is wrong cannot be compared".into())
+                Failure::Call("a scene with mistakes cannot be compared".into())
             }
             (failure, _) => failure,
         });
@@ -53,11 +53,11 @@ pub fn run(options: &DiffOptions) -> Result {
         DiffFormat::Human => difference::human(&difference),
         DiffFormat::Json => difference::json(&difference),
     })?;
-    let tells_by_code = options.exit_code && !difference.is_none();
-    if tells_by_code { Err(Failure::Scene) } else { Ok(()) }
+    let has_code = options.exit_code && !difference.is_none();
+    if has_code { Err(Failure::Scene) } else { Ok(()) }
 }
 
-/// The scene at `path`, beside which is `other`; None where it is wrong, and that has been told.
+/// The scene at `path`, read beside `other`. Prints the mistakes of a wrong scene, and returns None.
 fn compiled(disk: &Disk, path: &Path, other: &Path) -> Result<Option<Compiled>> {
     let bytes = bytes(path)?;
     let place = if is_input(path) { other.with_file_name("-") } else { path.to_path_buf() };
@@ -80,7 +80,7 @@ fn text(path: &Path, bytes: &[u8]) -> Result<Option<String>> {
         return Ok(None);
     }
     let text = String::from_utf8(bytes.to_vec());
-    text.map(Some).map_err(|_| Failure::Call("what comes by standard input is no UTF-8 text".into()))
+    text.map(Some).map_err(|_| Failure::Call("standard input is not UTF-8 text".into()))
 }
 
 fn is_input(path: &Path) -> bool {

@@ -20,22 +20,23 @@ enum Output {
 
 pub fn run(options: &RenderOptions, numbers: Range<u32>) -> Result {
     let [scene] = options.scenes.as_slice() else {
-        return Err(Failure::Call("frames are of one scene: name one".into()));
+        return Err(Failure::Call("--frames draws one scene: name one scene".into()));
     };
     let path = &options.output;
     let output = output(path)?;
     let frames = Frames { numbers, rate: options.fps };
     let last = frames.time(frames.numbers.end - 1);
     if last > LONGEST_TIME {
-        let message = format!("the last frame is at {last} seconds; a scene has at most {LONGEST_TIME}");
+        let message =
+            format!("the last frame is at {last} seconds; the latest time is {LONGEST_TIME} seconds");
         return Err(Failure::Call(message));
     }
     let gpu = Gpu::headless(&options.adapter)?;
     let compiled = compiled(options, scene)?;
     let count = frames.numbers.len();
     if !compiled.source.reads_time() && count > 1 {
-        let message = format!("`{}` does not move: all {count} frames are the same", compiled.scene.name);
-        let problem = Diagnostic::warning(message).help("a texture or shape that reads `frame.time` moves");
+        let message = format!("`{}` does not move: all {count} frames are equal", compiled.scene.name);
+        let problem = Diagnostic::warning(message).help("textures and shapes move if they read `frame.time`");
         print_report(&Report { diagnostics: vec![problem], ..Report::default() });
     }
     let shot = shot(options, &gpu, &compiled);
@@ -64,13 +65,13 @@ fn output(path: &Path) -> Result<Output> {
         let extension = path.extension().unwrap_or_default().to_string_lossy();
         let better = path.with_file_name(format!("{stem}####.{extension}"));
         return Err(Failure::Call(format!(
-            "`{}` has no place for a frame's number: write # for its digits, as in `{}`",
+            "`{}` has no place for the number of the frame: write # for its digits, as in `{}`",
             path.display(),
             better.display()
         )));
     }
     let message = format!(
-        "cannot tell the format of `{}`: \
+        "the format of `{}` is unknown: \
          name a .mp4, .webm or .gif movie, or pictures such as `frames/####.png`",
         path.display()
     );

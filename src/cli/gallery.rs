@@ -47,7 +47,7 @@ pub fn run(folder: &Path) -> Result {
     write_output(&folder.join("digests.txt"), digests.as_bytes())?;
     eprintln!("The page is {}.", folder.join("README.md").display());
     if wrong > 0 {
-        eprintln!("{wrong} files have mistakes: see `raytoy check`");
+        eprintln!("{wrong} files have mistakes; `raytoy check` reports them");
         return Err(Failure::Scene);
     }
     Ok(())

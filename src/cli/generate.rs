@@ -12,7 +12,7 @@ pub fn run(options: &GenerateOptions) -> Result {
     let output = options.output.as_deref().unwrap_or(Path::new("-"));
     let is_seen = output == Path::new("-") && std::io::stdout().is_terminal();
     if is_seen && options.lang == Some(Language::Spirv) {
-        let why = "SPIR-V is no text for a terminal; name a file, as in `-o scene.spv`";
+        let why = "SPIR-V is binary and cannot be shown in a terminal; name a file, as in `-o scene.spv`";
         return Err(Failure::Call(why.into()));
     }
     let mode = if options.live { Mode::Live } else { Mode::Baked };
@@ -35,8 +35,8 @@ fn write_beside(output: &Path, texels: &[u8]) -> Result {
     // A stream or a device has nothing beside it.
     let is_file = output != Path::new("-") && std::fs::metadata(output).map_or(true, |found| found.is_file());
     if !is_file {
-        let why = "images and models of a scene go to a second file, beside that of the shader; \
-                   name one, as in `-o scene.wgsl`";
+        let why = "the images and models of the scene go to a second file beside the shader; \
+                   name a file for the shader, as in `-o scene.wgsl`";
         return Err(Failure::Call(why.into()));
     }
     let beside = Export::texels_file(output);

@@ -68,7 +68,7 @@ fn overview(library: &Library<'_>, family: Family) -> Result<String> {
         writeln!(text, "{name:<16} {kind}{caption}").expect("a String takes all text");
     }
     let forms: &[[&str; 2]] = if family == Family::Texture { &TEXTURE_FORMS } else { &SHAPE_FORMS };
-    text += "\nAnd what raytoy makes itself:\n";
+    text += "\nBuilt into raytoy:\n";
     for [name, use_] in forms {
         writeln!(text, "{name:<16} {use_}").expect("a String takes all text");
     }
@@ -80,14 +80,14 @@ fn details(function: &Function) -> String {
     for parameter in &function.parameters {
         let default = match &parameter.default {
             Some(_) => format!(" = {}", parameter.default_text),
-            None => ", which must be given".into(),
+            None => " (required)".into(),
         };
         writeln!(text, "\n  {}{default}", parameter.name).expect("a String takes all text");
         writeln!(text, "      {}", parameter.doc).expect("a String takes all text");
         writeln!(text, "      {}", takes(function.kind, parameter)).expect("a String takes all text");
     }
     if function.kind != Kind::Shape {
-        text += "\n  at\n      a mapping, which moves the point before the texture looks at it\n";
+        text += "\n  at\n      a mapping, which moves the point at which the texture is evaluated\n";
     }
     text
 }

@@ -35,9 +35,9 @@ use crate::wgsl::Mode;
 pub enum Failure {
     /// A scene is wrong, a test failed, or the code is to say that scenes differ: all has been printed.
     Scene,
-    /// A scene turned out to be wrong while it was drawn: what to tell.
+    /// A scene turned out to be wrong while it was drawn: the report to print.
     Endless(Report),
-    /// The call is wrong, or the machine: what to tell.
+    /// The call is wrong, or the machine: the message to print.
     Call(String),
 }
 
@@ -96,12 +96,12 @@ fn disk<'a>(root: &RootOption, scenes: impl IntoIterator<Item = &'a PathBuf>) ->
     let disk = Disk::new(root.root.clone());
     let Some(root) = &disk.named_root else { return Ok(disk) };
     if !root.is_dir() {
-        return Err(Failure::Call(format!("there is no folder `{}`, the root", root.display())));
+        return Err(Failure::Call(format!("the root folder `{}` does not exist", root.display())));
     }
     let sources = disk.sources();
     match scenes.into_iter().find(|scene| !sources.root_holds(scene)) {
         Some(scene) => {
-            let why = format!("`{}` lies outside of `{}`, the root", scene.display(), root.display());
+            let why = format!("`{}` is outside of the root folder `{}`", scene.display(), root.display());
             Err(Failure::Call(why))
         }
         None => Ok(disk),

@@ -25,7 +25,7 @@ const MOST_FOR_DOUBTS: Duration = Duration::from_millis(200);
 
 pub fn run(options: &RenderOptions) -> Result {
     if let Some(name) = options.value.as_ref().filter(|_| !shows_numbers(options)) {
-        let why = format!("`--value {name}` is for the view of numbers: add `--view value`");
+        let why = format!("`--value {name}` needs the view of numbers: add `--view value`");
         return Err(Failure::Call(why));
     }
     if let Some(numbers) = &options.frames {
@@ -35,7 +35,7 @@ pub fn run(options: &RenderOptions) -> Result {
     let scenes: Vec<PathBuf> = options.scenes.iter().filter(|path| !is_settings(path)).cloned().collect();
     if scenes.is_empty() {
         let path = options.scenes[0].display();
-        return Err(Failure::Call(format!("`{path}` holds the settings of a test; name the scene")));
+        return Err(Failure::Call(format!("`{path}` contains the settings of a test; name the scene")));
     }
     let outputs = outputs(&scenes, &options.output)?;
     let gpu = Gpu::headless(&options.adapter)?;
@@ -103,13 +103,13 @@ fn outputs(scenes: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>> {
     }
     if MovieFormat::of(output).is_some() {
         let message =
-            format!("`{}` is a movie: say of which frames, as in `--frames 0..120`", output.display());
+            format!("`{}` is a movie: add the frames to draw, as in `--frames 0..120`", output.display());
         return Err(Failure::Call(message));
     }
     let names_folder =
         output.is_dir() || output.to_string_lossy().ends_with(['/', std::path::MAIN_SEPARATOR]);
     if !names_folder {
-        let message = format!("cannot tell the format of `{}`: name a .png or .exr file", output.display());
+        let message = format!("the format of `{}` is unknown: name a .png or .exr file", output.display());
         return Err(Failure::Call(message));
     }
     std::fs::create_dir_all(output)?;
@@ -149,10 +149,13 @@ fn doubtful(shot: &Shot<'_>, doubt: Doubt) -> Diagnostic {
     let Doubt { wrong, pixels } = doubt;
     let name = &shot.compiled.scene.name;
     let message =
-        format!("the driver draws `{name}` wrong: {wrong} of {pixels} pixels are not as they should");
+        format!("the driver draws `{name}` wrong: {wrong} of {pixels} tested pixels have the wrong color");
     Diagnostic::warning(message)
-        .help(format!("this is {}; take a GPU with --adapter, or another version", shot.gpu.describe()))
-        .help("`raytoy check` names the snippet that has too many branches, if that is why")
+        .help(format!(
+            "the driver is {}; choose another GPU with --adapter, or install another version",
+            shot.gpu.describe()
+        ))
+        .help("a texture or shape with too many branches can cause this; `raytoy check` reports it")
 }
 
 /// Shows a bar on the terminal once the work takes longer than a person likes to wait. It always goes on.

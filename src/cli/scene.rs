@@ -33,6 +33,6 @@ pub fn origin(picture: &Path, bytes: &[u8]) -> Result<Origin> {
     let read = Origin::read(bytes)
         .map_err(|why| Failure::Call(format!("cannot read `{name}` as a PNG file: {why}")))?;
     read.ok_or_else(|| {
-        Failure::Call(format!("`{name}` carries no scene; PNG files as raytoy writes them do"))
+        Failure::Call(format!("`{name}` contains no scene; only PNG files written by raytoy contain one"))
     })
 }

@@ -43,12 +43,14 @@ pub fn run(options: &TestOptions) -> Result {
 fn chosen(options: &TestOptions, sources: &Sources) -> Result<Vec<Case>> {
     let mut cases = suite::find(sources, &options.paths).map_err(Failure::Call)?;
     if cases.is_empty() {
-        return Err(Failure::Call("there is nothing to test: no scene, no texture, no shape".into()));
+        return Err(Failure::Call(
+            "there is nothing to test: no scenes, textures or shapes were found".into(),
+        ));
     }
     for filter in [&options.filter, &options.bless].into_iter().flatten() {
         cases.retain(|case| case.name.contains(filter.as_str()));
         if cases.is_empty() {
-            let advice = "`raytoy test --list` has their names";
+            let advice = "`raytoy test --list` prints the names";
             return Err(Failure::Call(format!("no test has `{filter}` in its name; {advice}")));
         }
     }
@@ -67,7 +69,8 @@ fn devices(options: &TestOptions, cases: usize) -> Result<Vec<Gpu>> {
             Err(GpuError::NoAdapter(_)) => {
                 let gpu = Gpu::headless(&AdapterChoice::Fastest)?;
                 eprintln!(
-                    "There is no software driver, so {} draws: another machine may draw otherwise.",
+                    "There is no software driver, so {} draws. \
+                     Other machines may draw slightly different pictures.",
                     gpu.describe()
                 );
                 gpu

@@ -36,7 +36,7 @@ fn remote() -> Receiver<window::Remote> {
         for line in std::io::stdin().lock().lines().map_while(std::io::Result::ok) {
             match line.trim() {
                 "lose-device" => drop(sender.send(window::Remote::LoseDevice)),
-                other => eprintln!("no such word: `{other}`; known: lose-device"),
+                other => eprintln!("unknown command `{other}`; known: lose-device"),
             }
         }
     });

@@ -98,7 +98,7 @@ impl PictureDifference {
             let color = |[r, g, b]: [u8; 3]| format!("rgb({r}, {g}, {b})");
             let [x, y] = worst.at;
             let (was, is) = (color(worst.expected), color(worst.actual));
-            lines.push(format!("most in the pixel ({x}, {y}): it is {is}, and was {was}"));
+            lines.push(format!("largest difference in the pixel ({x}, {y}): it was {was} and is {is}"));
         }
         lines
     }
@@ -108,9 +108,9 @@ impl PictureDifference {
         let how = match self.change {
             Some(Change::Shift { word, by }) => format!("{word} by about {by:.1} of 100"),
             Some(Change::Elsewhere { by }) => {
-                format!("something moved or looks another way: off by about {by:.1} of 100")
+                format!("something moved or looks different: off by about {by:.1} of 100")
             }
-            None => "nothing that can be seen".into(),
+            None => "no visible change".into(),
         };
         let place = self.verdict.outliers.bounds.map_or(String::new(), |area| format!(" in {}", told(area)));
         let [before, now] = [("was", &self.before), ("is now", &self.now)].map(|(verb, objects)| {
@@ -158,7 +158,7 @@ fn measure(verdict: &Verdict, broken: Broken) -> String {
     let limits = verdict.limits;
     match broken {
         Broken::Outliers => format!(
-            "{} pixels ({:.2} %) differ by more than {} of 255; {} % may",
+            "{} pixels ({:.2} %) differ by more than {} of 255; at most {} % may",
             verdict.outliers.count,
             verdict.outliers.share() * 100.0,
             limits.tolerance,
@@ -166,16 +166,19 @@ fn measure(verdict: &Verdict, broken: Broken) -> String {
         ),
         Broken::Structure => {
             format!(
-                "its structure is similar to {:.4}; {} is the least",
+                "the structural similarity is {:.4}; it must be at least {}",
                 verdict.structure.mean, limits.structure
             )
         }
         Broken::Window => {
             let [x, y] = verdict.structure.least_at;
             let least = verdict.structure.least;
-            format!("the window at ({x}, {y}) is similar to {least:.3}; {} is the least", limits.window)
+            format!(
+                "the structural similarity at ({x}, {y}) is {least:.3}; it must be at least {}",
+                limits.window
+            )
         }
-        Broken::Flip => format!("FLIP sees {:.5}; {} is the most", verdict.flip, limits.flip),
+        Broken::Flip => format!("FLIP is {:.5}; it must be at most {}", verdict.flip, limits.flip),
     }
 }
 

@@ -45,19 +45,19 @@ impl ShaderDifference {
     /// One line of what it is, and one for each object and each file.
     pub fn told(&self) -> Vec<String> {
         let head = match &self.text {
-            None if self.is_none() => "the same".into(),
-            None => "the scene's own text is the same".into(),
+            None if self.is_none() => "equal".into(),
+            None => "the scene's own text is equal".into(),
             Some(difference) => {
                 let [gone, new] = difference.counts();
                 let pipeline = match self.is_same_live {
                     true => "only numbers and comments differ, so the window keeps its pipeline",
-                    false => "the window needs another pipeline",
+                    false => "the window must build a new pipeline",
                 };
-                format!("{gone} lines gone, {new} new; {pipeline}")
+                format!("{gone} lines removed, {new} added; {pipeline}")
             }
         };
         let objects = self.text.iter().flat_map(TextDifference::told);
-        let files = self.files.iter().map(|file| format!("the file `{file}` holds something else"));
+        let files = self.files.iter().map(|file| format!("the content of the file `{file}` differs"));
         [head].into_iter().chain(objects).chain(files).collect()
     }
 }

@@ -37,7 +37,7 @@ pub fn find(sources: &Sources, paths: &[PathBuf]) -> Result<Vec<Case>, String> {
         } else if let Some(kind) = kind_of(path) {
             found.push((path.clone(), kind));
         } else {
-            return Err(format!("`{}` is no test: {}", path.display(), why_not(path)));
+            return Err(format!("`{}` is not a test: {}", path.display(), why_not(path)));
         }
     }
     let case = |(path, kind): (PathBuf, CaseKind)| {
@@ -80,7 +80,7 @@ fn refuse_stray(path: &Path) -> Result<(), String> {
         return Ok(());
     }
     let [name, stem] = [&name, stem].map(|path| path.trim_start_matches("./"));
-    Err(format!("`{name}` has the settings of a test, but there is no `{stem}.ron`"))
+    Err(format!("`{name}` contains the settings of a test, but there is no scene `{stem}.ron`"))
 }
 
 fn kind_of(path: &Path) -> Option<CaseKind> {
@@ -95,10 +95,10 @@ fn kind_of(path: &Path) -> Option<CaseKind> {
 
 fn why_not(path: &Path) -> &'static str {
     if is_settings(path) {
-        return "it holds the settings of one; name the scene";
+        return "it contains the settings of a test; name the scene";
     }
     match path.extension().and_then(|extension| extension.to_str()) {
-        Some("wgsl") => "a texture lies in a folder `textures`, a shape in `shapes`",
-        _ => "a scene ends in .ron, a texture or shape in .wgsl",
+        Some("wgsl") => "textures belong in a folder `textures`, shapes in a folder `shapes`",
+        _ => "scenes end in .ron, textures and shapes in .wgsl",
     }
 }

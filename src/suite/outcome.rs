@@ -85,16 +85,16 @@ impl Failure {
     pub fn told(&self) -> Vec<String> {
         match self {
             Failure::Mistakes(report) => report.trim_end().lines().map(str::to_owned).collect(),
-            Failure::Missing(golden) => vec![format!("there is no golden `{}`", golden.display())],
+            Failure::Missing(golden) => vec![format!("the golden `{}` is missing", golden.display())],
             Failure::Obstacle(why) => why.lines().map(str::to_owned).collect(),
             Failure::Text { golden, difference } => {
                 let [gone, new] = difference.counts();
-                let head = format!("{} differs: {gone} lines gone, {new} new", golden.display());
+                let head = format!("{} differs: {gone} lines removed, {new} added", golden.display());
                 [vec![head], difference.told()].concat()
             }
             Failure::Size { golden, sizes: [(w, h), (width, height)] } => {
                 let now = format!("the picture is {width}x{height}");
-                vec![format!("{} is {w}x{h}, and {now}", golden.display())]
+                vec![format!("{} is {w}x{h}, but {now}", golden.display())]
             }
             Failure::Picture { golden, difference } => {
                 let head = format!("{} looks different", golden.display());

@@ -56,13 +56,15 @@ impl Test<'_> {
         };
         let folder = self.case.path.parent().and_then(Path::file_name).unwrap_or_default();
         if self.bench.goldens.folder.is_none() && (folder == "textures" || folder == "shapes") {
-            let why = "a golden in this folder would be taken for one of its files";
-            let advice = "move the scene out of it, or keep its goldens elsewhere: `--goldens FOLDER`";
+            let why = "a golden in this folder would be read as a texture or shape";
+            let advice =
+                "move the scene to another folder, or choose a folder for the goldens: `--goldens FOLDER`";
             return self.fail(Failure::Obstacle(format!("{why}\n{advice}")));
         }
         if let Err(problem) = compiled.in_mode(Mode::Live) {
             // The text was right with its numbers written out, so this is a mistake of raytoy's.
-            let why = format!("with its numbers as data, naga refuses the scene: {}", problem.message);
+            let why =
+                format!("naga refuses the scene with its numbers in a uniform buffer: {}", problem.message);
             self.fail(Failure::Mistakes(why));
         }
         if settings.text {

@@ -70,7 +70,7 @@ fn a_file_without_a_scene_is_told() {
     let folder = studio();
     image::RgbImage::new(2, 2).save(folder.path().join("photo.png")).expect("it is writable");
     for (file, told) in [
-        ("photo.png", "`photo.png` carries no scene; PNG files as raytoy writes them do"),
+        ("photo.png", "`photo.png` contains no scene; only PNG files written by raytoy contain one"),
         ("wave.ron", "cannot read `wave.ron` as a PNG file: Invalid PNG signature."),
         ("nothing.png", "there is no file `nothing.png`"),
     ] {
@@ -113,8 +113,8 @@ fn a_scene_that_does_not_move_is_told_once() {
     let folder = studio();
     std::fs::write(folder.path().join("wave.ron"), "(objects: [Sphere()])").expect("it is writable");
     let done = raytoy(&folder, &render(&["-o", "#.png", "--frames", "0..3"]));
-    let told = "warning: `wave.ron` does not move: all 3 frames are the same\n \
-                = help: a texture or shape that reads `frame.time` moves\n\n\
+    let told = "warning: `wave.ron` does not move: all 3 frames are equal\n \
+                = help: textures and shapes move if they read `frame.time`\n\n\
                 1 warning\n#.png: 3 frames of 16x10\n";
     assert_eq!((done.status.code(), stderr(&done).as_str()), (Some(0), told));
     assert_eq!(listed(&folder, "."), ["0.png", "1.png", "2.png", "textures", "wave.ron"]);

@@ -21,7 +21,7 @@ fn pictures_are_judged_and_shown_on_a_page() {
     for line in [
         "picture  looks different\n",
         " pixels (",
-        "FLIP sees ",
+        "FLIP is ",
         "; there was \"<ball>\" ",
         "; there is now \"<ball>\" ",
     ] {

@@ -33,7 +33,7 @@ fn from_nothing_to_green_takes_one_bless() {
     let missing = project.test(&[]);
     assert_eq!(
         said(&missing),
-        "FAILED   scenes/ball.ron\n    there is no golden `scenes/ball.wgsl`\n    there is no golden `scenes/ball.png`\n    \
+        "FAILED   scenes/ball.ron\n    the golden `scenes/ball.wgsl` is missing\n    the golden `scenes/ball.png` is missing\n    \
          if the new output is right: raytoy test scenes/ball.ron --bless\n\
          ok       scenes/textures/pond.wgsl\n1 passed, 1 failed\n"
     );
@@ -68,17 +68,17 @@ fn a_changed_scene_is_told_by_object_and_by_sight() {
     let told = said(&project.test(&["--filter", "ball"]));
     for line in [
         "FAILED   scenes/ball.ron",
-        "    scenes/ball.wgsl differs: 4 lines gone, 4 new",
+        "    scenes/ball.wgsl differs: 4 lines removed, 4 added",
         "      the object \"ball\" moved or changed",
         "@@ -17,6 +17,6 @@ `rayTraceScene`, object \"ball\"",
         "-    // objects[1] \"ball\": Sphere(center: (0, 1, 0))",
         "+    // objects[1] \"ball\": Sphere(center: (0.3, 1, 0))",
         "    scenes/ball.png looks different",
         " pixels (",
-        "FLIP sees ",
+        "FLIP is ",
         " of 100 in the box x ",
         "; there is now \"",
-        "      most in the pixel (",
+        "      largest difference in the pixel (",
         "    if the new output is right: raytoy test scenes/ball.ron --bless",
         "0 passed, 1 failed",
     ] {
@@ -183,7 +183,7 @@ fn settings_are_read_with_care() {
     assert!(settings("(flip: 0.05, reason: \"why not\")").ends_with("1 passed, 0 failed\n"));
     assert!(settings("(flip: 0.0001)").ends_with("1 passed, 0 failed\n"), "stricter needs no reason");
     let told = settings("(size: (64, 48))");
-    assert!(told.contains("scenes/ball.png is 160x120, and the picture is 64x48"), "{told}");
+    assert!(told.contains("scenes/ball.png is 160x120, but the picture is 64x48"), "{told}");
     let told = settings("(skip: \"not finished\")");
     assert_eq!(told, "skipped  scenes/ball.ron: not finished\n0 passed, 0 failed\n");
     project.write("scenes/textures/pond.wgsl", &POND.replace("* scale)", "* scale + frame.time)"));
@@ -192,7 +192,7 @@ fn settings_are_read_with_care() {
     // A folder's settings hold below it, and a scene's own go over them.
     project.write("folder.test.ron", "(size: (64, 48), picture: false)");
     assert!(settings("(samples: 1)").ends_with("1 passed, 0 failed\n"));
-    assert!(settings("(picture: true)").contains("is 160x120, and the picture is 64x48"));
+    assert!(settings("(picture: true)").contains("is 160x120, but the picture is 64x48"));
 }
 
 #[test]
@@ -215,7 +215,7 @@ fn mistakes_fail_unless_they_are_what_is_tested() {
     let told = said(&project.test(&["scenes/wrong.ron"]));
     assert!(told.contains("did you mean `Sphere`?") && told.ends_with("0 passed, 1 failed\n"), "{told}");
     project.write("scenes/wrong.test.ron", "(mistakes: true)");
-    assert!(said(&project.test(&["scenes/wrong.ron"])).contains("there is no golden `scenes/wrong.txt`"));
+    assert!(said(&project.test(&["scenes/wrong.ron"])).contains("the golden `scenes/wrong.txt` is missing"));
     assert!(said(&project.test(&["scenes/wrong.ron", "--bless"])).contains("wrote scenes/wrong.txt (new)"));
     assert!(said(&project.test(&["scenes/wrong.ron"])).ends_with("1 passed, 0 failed\n"));
     project.write("scenes/wrong.ron", "(objects: [Sphere()])");
@@ -231,8 +231,8 @@ fn goldens_may_lie_elsewhere_and_for_another_adapter() {
     project.write("scenes/textures/demo.ron", BALL);
     assert_eq!(
         said(&project.test(&["scenes/textures/demo.ron", "--bless"])),
-        "FAILED   scenes/textures/demo.ron\n    a golden in this folder would be taken for one of its files\n      \
-         move the scene out of it, or keep its goldens elsewhere: `--goldens FOLDER`\n0 passed, 1 failed\n"
+        "FAILED   scenes/textures/demo.ron\n    a golden in this folder would be read as a texture or shape\n      \
+         move the scene to another folder, or choose a folder for the goldens: `--goldens FOLDER`\n0 passed, 1 failed\n"
     );
     std::fs::remove_file(project.path().join("scenes/textures/demo.ron")).unwrap();
     assert!(said(&project.test(&["--goldens", "kept"])).ends_with("2 passed, 0 failed\n"));
@@ -265,25 +265,28 @@ fn lists_filters_and_wrong_calls() {
     assert_eq!(refused(&["nowhere"]), "raytoy: there is no file or folder `nowhere`\n");
     assert_eq!(
         refused(&["scenes/ball.test.ron"]),
-        "raytoy: `scenes/ball.test.ron` is no test: it holds the settings of one; name the scene\n"
+        "raytoy: `scenes/ball.test.ron` is not a test: it contains the settings of a test; name the scene\n"
     );
     project.write("pond.wgsl", POND);
     assert_eq!(
         refused(&["pond.wgsl"]),
-        "raytoy: `pond.wgsl` is no test: a texture lies in a folder `textures`, a shape in `shapes`\n"
+        "raytoy: `pond.wgsl` is not a test: textures belong in a folder `textures`, shapes in a folder `shapes`\n"
     );
     assert_eq!(
         refused(&["--filter", "x y"]),
-        "raytoy: no test has `x y` in its name; `raytoy test --list` has their names\n"
+        "raytoy: no test has `x y` in its name; `raytoy test --list` prints the names\n"
     );
     project.write("other/bal.test.ron", "()");
     assert_eq!(
         refused(&["."]),
-        "raytoy: `other/bal.test.ron` has the settings of a test, but there is no `other/bal.ron`\n"
+        "raytoy: `other/bal.test.ron` contains the settings of a test, but there is no scene `other/bal.ron`\n"
     );
     std::fs::remove_dir_all(project.path().join("other")).unwrap();
     std::fs::create_dir(project.path().join("empty")).unwrap();
-    assert_eq!(refused(&["empty"]), "raytoy: there is nothing to test: no scene, no texture, no shape\n");
+    assert_eq!(
+        refused(&["empty"]),
+        "raytoy: there is nothing to test: no scenes, textures or shapes were found\n"
+    );
     refused(&["--format", "yaml"]);
     refused(&["--jobs", "0"]);
     assert!(

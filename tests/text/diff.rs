@@ -24,7 +24,7 @@ fn the_whole_text_for_people() {
          objects[3].name is new: \"ring\"  (new.ron:10)\n"
     );
     let lines: Vec<&str> = shader.lines().collect();
-    assert!(lines[0].ends_with("; the window needs another pipeline"), "{said}");
+    assert!(lines[0].ends_with("; the window must build a new pipeline"), "{said}");
     for line in [
         "  the object \"Torus 3\" is gone",
         "  the object \"ring\" is new",
@@ -34,13 +34,13 @@ fn the_whole_text_for_people() {
     ] {
         assert!(lines.contains(&line), "{line}\n\nis not in\n\n{said}");
     }
-    assert!(lines.last().is_some_and(|l| l.ends_with("more lines: `--report diff.html` has them")), "{said}");
+    assert!(
+        lines.last().is_some_and(|l| l.ends_with("more lines; `--report diff.html` shows all")),
+        "{said}"
+    );
     assert_eq!((told.status.code(), stderr(&told)), (Some(0), String::new()));
     let same = diff(&folder, &["old.ron", "./old.ron", "--no-picture", "--exit-code"]);
-    assert_eq!(
-        (stdout(&same).as_str(), same.status.code()),
-        ("values   the same\nshader   the same\n", Some(0))
-    );
+    assert_eq!((stdout(&same).as_str(), same.status.code()), ("values   equal\nshader   equal\n", Some(0)));
 }
 
 #[test]
@@ -53,12 +53,12 @@ fn numbers_alone_need_no_other_pipeline() {
         told.lines().filter(|line| !line.starts_with(' ')).collect::<Vec<_>>().join("\n")
     };
     let number = first_lines("(objects: [Sphere(name: \"ball\", radius: 3)])");
-    let kept = "lines gone, 4 new; only numbers and comments differ, so the window keeps its pipeline";
+    let kept = "lines removed, 4 added; only numbers and comments differ, so the window keeps its pipeline";
     assert_eq!(number, format!("values   1 value differs\nshader   4 {kept}"));
     let camera = first_lines("(camera: (fov_deg: 30), objects: [Sphere(name: \"ball\", radius: 2)])");
-    assert_eq!(camera, "values   1 value differs\nshader   the same");
+    assert_eq!(camera, "values   1 value differs\nshader   equal");
     let structure = first_lines("(objects: [Sphere(name: \"ball\", radius: 2, rotate_deg: (0, 10, 0))])");
-    assert!(structure.ends_with("; the window needs another pipeline"), "{structure}");
+    assert!(structure.ends_with("; the window must build a new pipeline"), "{structure}");
 }
 
 #[test]
@@ -72,17 +72,14 @@ fn files_that_hold_something_else_are_named() {
     let told = diff(&folder, &["a/scene.ron", "b/scene.ron", "--no-picture", "--exit-code"]);
     assert_eq!(
         stdout(&told),
-        "values   the same\nshader   the scene's own text is the same\n  \
-         the file `b/textures/pond.wgsl` holds something else\n"
+        "values   equal\nshader   the scene's own text is equal\n  \
+         the content of the file `b/textures/pond.wgsl` differs\n"
     );
     assert_eq!(told.status.code(), Some(1));
     // Standard input is taken as if it lay beside the other scene, whose textures it finds.
     let piped =
         piped(&folder, &["-", "a/scene.ron", "--no-picture", "--exit-code"], &folder.read("a/scene.ron"));
-    assert_eq!(
-        (stdout(&piped).as_str(), piped.status.code()),
-        ("values   the same\nshader   the same\n", Some(0))
-    );
+    assert_eq!((stdout(&piped).as_str(), piped.status.code()), ("values   equal\nshader   equal\n", Some(0)));
 }
 
 #[test]
@@ -135,7 +132,7 @@ fn exit_codes_and_wrong_calls() {
     assert_eq!(code(&["wrong.ron", "wrong.ron", "--exit-code"]), Some(2));
     for (call, why) in [
         (&["a.ron", "nothing.ron"][..], "raytoy: there is no file `nothing.ron`\n"),
-        (&["-", "-"], "raytoy: only one of the two scenes can come by standard input\n"),
+        (&["-", "-"], "raytoy: only one of the two scenes can come from standard input\n"),
         (&["a.ron", "cut.png"], "raytoy: cannot read `cut.png` as a PNG file: "),
         (&["a.ron", "b.ron", "--format", "junit"], "error: invalid value 'junit'"),
         (&["a.ron"], "error: the following required arguments"),

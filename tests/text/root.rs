@@ -187,5 +187,5 @@ fn each_command_that_takes_a_scene_takes_its_root() {
     }
     let refused = raytoy(&["check", "scenes/a.ron", "--root", "../elsewhere"]);
     let told = String::from_utf8_lossy(&refused.stderr);
-    assert_eq!(told, "raytoy: `scenes/a.ron` lies outside of `../elsewhere`, the root\n");
+    assert_eq!(told, "raytoy: `scenes/a.ron` is outside of the root folder `../elsewhere`\n");
 }

@@ -32,7 +32,7 @@ fn diff(difference: &TextDifference) -> String {
     let (lines, more) = difference.unified(MOST_LINES);
     let mut text: String = lines.iter().map(|line| format!("  {line}\n")).collect();
     if more > 0 {
-        text += &format!("  … {more} more lines: `--report diff.html` has them\n");
+        text += &format!("  … {more} more lines; `--report diff.html` shows all\n");
     }
     text
 }

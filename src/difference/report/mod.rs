@@ -38,7 +38,7 @@ fn lines(change: &Change, names: &[String; 2]) -> String {
 /// What there is to say of the values in all.
 fn count(values: usize) -> String {
     match values {
-        0 => "the same".into(),
+        0 => "equal".into(),
         1 => "1 value differs".into(),
         n => format!("{n} values differ"),
     }
@@ -47,9 +47,9 @@ fn count(values: usize) -> String {
 /// What there is to say of two pictures; the first line says whether they look the same.
 fn sight(picture: &PictureDifference) -> Vec<String> {
     match picture.verdict.outliers.worst {
-        None => vec!["the same".into()],
+        None => vec!["equal".into()],
         Some(worst) if picture.verdict.passes() => {
-            vec![format!("looks the same; no channel is off by more than {} of 255", worst.difference())]
+            vec![format!("looks equal; channels differ by {} of 255 at most", worst.difference())]
         }
         Some(_) => [vec!["looks different".to_owned()], picture.told()].concat(),
     }

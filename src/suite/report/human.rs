@@ -36,7 +36,7 @@ fn story(run: &Run, outcome: &Outcome) -> String {
             let (lines, more) = difference.unified(MOST_LINES);
             lines.iter().for_each(|line| text += &format!("      {line}\n"));
             if more > 0 {
-                text += &format!("      … {more} more lines: `--report report.html` has them\n");
+                text += &format!("      … {more} more lines; `--report report.html` shows all\n");
             }
         }
     }

@@ -55,7 +55,7 @@ fn what_changed_is_told_line_by_line_unless_it_is_numbers() {
     studio.save(&SCENE.replace("radius: 1 /*", "radius: 1.25 /*"));
     assert!(studio.says("Only numbers have changed since it was opened."));
     studio.save(&SCENE.replace("objects: [", "objects: [Torus(name: \"ring\"), "));
-    assert!(studio.says(" lines gone, ") && studio.says("+     hit = nearer(hit, torus(ray"));
+    assert!(studio.says(" lines removed, ") && studio.says("+     hit = nearer(hit, torus(ray"));
     assert!(!studio.says("fn lightAt("), "what stays is left out");
     studio.press("What changed");
     assert!(studio.says("fn sceneBlocks(ray: Ray) -> bool {"));
