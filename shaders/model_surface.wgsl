@@ -55,7 +55,7 @@ fn facetSurface(p: vec3f, facet: ModelFacet, i: u32, unit: f32) -> Surface {
     // Normals of the corners may cancel each other.
     let normal = normalize(select(outward, mean, dot(mean, mean) > 1e-6));
     var at = surface(p - dot(facet.q, outward) / unit * outward, normal, uv * shares);
-    at.facet = outward;
+    at.geometric_normal = outward;
     at.rise = rise / unit;
     // Of the areas, as uv has it and as it is.
     let doubled = determinant(mat2x2f(uv[1] - uv[0], uv[2] - uv[0]));

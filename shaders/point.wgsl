@@ -1,7 +1,7 @@
 // Where a ray meets a surface, from near and far.
 
 /// How far beside the surface a point may lie, as a share of its way from the world's origin.
-const MOST_SLIP: f32 = 1e-6;
+const MAX_SLIP: f32 = 1e-6;
 
 /// The bits of a number that its first twelve digits are in.
 const HIGH_HALF: u32 = 0xfffff000u;
@@ -30,7 +30,7 @@ fn rayPointFrom(ray: Ray, t: f32, center: vec3f) -> vec3f {
 /// The way along `ray` from its point at `t` to the surface `there`, which was asked for at that point: a
 /// step of Newton's method. From far away t itself has too few digits for it.
 fn slipAlong(ray: Ray, t: f32, there: Placed) -> vec3f {
-    let approach = dot(there.facet, ray.direction);
+    let approach = dot(there.geometric_normal, ray.direction);
     let slip = there.gap / select(approach, 1e-20, abs(approach) < 1e-20);
     // More than its rounding it cannot be; what is more comes of a surface seen edge on.
     let most = 4e-6 * t;

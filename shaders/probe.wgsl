@@ -57,6 +57,6 @@ fn probeRays(@builtin(global_invocation_id) id: vec3u) {
     zero = count >> 31u;
     let ray = probe_rays[id.x];
     let hit = rayTraceScene(ray);
-    let met = looked(ray, hit, 0.0).met;
+    let met = sampleFootprint(ray, hit, 0.0).met;
     probe_crossings[id.x] = ProbeCrossing(met.at.world, hit.t, met.normal, hit.object, met.at.uv);
 }

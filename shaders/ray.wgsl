@@ -22,7 +22,7 @@ struct Surface {
     /// Outward, length 1, in the object's space: of the smooth surface, where a model stands for one.
     normal: vec3f,
     /// The same of the surface itself, by which inside is told from outside.
-    facet: vec3f,
+    geometric_normal: vec3f,
     /// On the surface, scene units where the surface can be unrolled.
     uv: vec2f,
     /// The same point in world space.
@@ -33,7 +33,7 @@ struct Surface {
     /// its lower left one, and from there the way to the upper right one, in which u is negative where it
     /// grows to the left. Else all is 0.
     whole: vec4f,
-    /// How high above the point, along facet, the smooth surface lies that a model stands for.
+    /// How high above the point, along geometric_normal, the smooth surface lies that a model stands for.
     rise: f32,
     /// How far uv goes on one of the object's units there: 1 but on models.
     density: f32,

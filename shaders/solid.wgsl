@@ -1,7 +1,7 @@
 // Solids made of solids: where a ray goes into them and out of them.
 
 /// The most times that a ray goes into or out of the parts of one solid.
-const MOST_CROSSINGS: u32 = 64u;
+const MAX_CROSSINGS: u32 = 64u;
 
 /// Where a ray goes through a surface.
 struct Crossing {
@@ -43,7 +43,7 @@ fn nearerCrossing(hit: Hit, crossing: Crossing) -> Hit {
 fn inverted(at: Surface) -> Surface {
     var behind = at;
     behind.normal = -at.normal;
-    behind.facet = -at.facet;
+    behind.geometric_normal = -at.geometric_normal;
     behind.rise = 0.0;
     return behind;
 }

@@ -12,10 +12,10 @@ struct Placed {
     at: Surface,
     /// Outward, length 1, in world space: what light sees, and what tells inside from outside.
     normal: vec3f,
-    facet: vec3f,
+    geometric_normal: vec3f,
     /// Object units to a unit of the world, about.
     scale: f32,
-    /// From the point that was asked for to the surface, along `facet`.
+    /// From the point that was asked for to the surface, along `geometric_normal`.
     gap: f32,
     /// From there to the smooth surface that light sees.
     rise: f32,
@@ -35,7 +35,7 @@ fn rayInto(space: Space, ray: Ray) -> Ray {
 
 /// A surface at `p` of an object that stands in the world as its shape describes it.
 fn placed(at: Surface, p: vec3f) -> Placed {
-    return Placed(at, at.normal, at.facet, 1.0, dot(at.position - p, at.facet), at.rise);
+    return Placed(at, at.normal, at.geometric_normal, 1.0, dot(at.position - p, at.geometric_normal), at.rise);
 }
 
 /// A surface of a moved object. A normal goes back by the transpose of the map that points come by.
@@ -45,10 +45,10 @@ fn placedFrom(space: Space, at: Surface, world: vec3f) -> Placed {
     var seen = at;
     seen.world = world;
     let normal = normalize(to_world * at.normal);
-    let facet = to_world * at.facet;
-    let unit = 1.0 / length(facet);
-    let gap = dot(at.position - pointInto(space, world), at.facet) * unit;
-    return Placed(seen, normal, facet * unit, pow(volume, 1.0 / 3.0), gap, at.rise * unit);
+    let geometric = to_world * at.geometric_normal;
+    let unit = 1.0 / length(geometric);
+    let gap = dot(at.position - pointInto(space, world), at.geometric_normal) * unit;
+    return Placed(seen, normal, geometric * unit, pow(volume, 1.0 / 3.0), gap, at.rise * unit);
 }
 
 /// The point of the unit sphere in `direction`, which is where a background is asked for its color.

@@ -17,12 +17,12 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
         } else {
             let v = -branch.direction;
             let width = branch.width + frame.pixel_spread * hit.t;
-            let seen_there = looked(ray, hit, width);
+            let seen_there = sampleFootprint(ray, hit, width);
             let p = seen_there.point;
             let met = seen_there.met;
             let material = seen_there.material;
-            let inside = dot(met.facet, v) < 0.0;
-            let facing = select(met.facet, -met.facet, inside);
+            let inside = dot(met.geometric_normal, v) < 0.0;
+            let facing = select(met.geometric_normal, -met.geometric_normal, inside);
             var n = normalAt(hit.object, met);
             n = select(n, -n, inside);
             // A bump may tilt the normal away from the viewer, who then sees the slope edge on.
@@ -30,7 +30,7 @@ fn traceTree(origin: vec3f, direction: vec3f) -> Seen {
             // Back along the ray, too: where walls meet, rounding may put the point behind the other one.
             let outside = spawnPoint(p, facing + v - dot(facing, v) * facing, hit.t);
             // Light falls on the smooth surface, or it would end in steps along the triangles.
-            let rise = select(met.rise, 0.0, inside) * met.facet;
+            let rise = select(met.rise, 0.0, inside) * met.geometric_normal;
             let shaded = shade(p + rise, outside + rise, n, v, material);
             if depth == 0u {
                 seen.depth = hit.t;

@@ -29,7 +29,7 @@ const BROKEN: vec3f = vec3f(1.0, 0.0, 1.0);
 const FRONT: vec3f = vec3f(0.25, 0.55, 0.9);
 const BACK: vec3f = vec3f(0.95, 0.35, 0.1);
 /// VIEW_COST is at the end of its colors after so many doublings of 1.
-const MOST_DOUBLINGS: f32 = 16.0;
+const MAX_DOUBLINGS: f32 = 16.0;
 
 /// Whether a channel is infinite or no number. Its bits tell: a driver may take it that no comparison meets
 /// either.
@@ -46,7 +46,7 @@ fn surfaceView(hit: Hit, met: Placed, n: vec3f, v: vec3f, albedo: vec3f, visibil
         case VIEW_UV: { return vec3f(fract(met.at.uv), 0.0); }
         case VIEW_MATERIAL: { return albedo; }
         case VIEW_SHADOW: { return vec3f(visibility); }
-        case VIEW_FACING: { return select(FRONT, BACK, dot(met.facet, v) < 0.0) * (0.3 + 0.7 * dot(n, v)); }
+        case VIEW_FACING: { return select(FRONT, BACK, dot(met.geometric_normal, v) < 0.0) * (0.3 + 0.7 * dot(n, v)); }
         case VIEW_VALUE: { return vec3f(measuredAt(hit, met.at, dot(n, v))); }
         case VIEW_PLACE: { return vec3f(met.at.uv, 0.0); }
         case VIEW_OUTWARD: { return met.normal; }
@@ -74,7 +74,7 @@ fn viewed(seen: Seen) -> vec4f {
             return vec4f(select(dim, BROKEN, isBroken(seen.radiance)), seen.depth);
         }
         case VIEW_COST: {
-            return vec4f(heatColor(min(log2(f32(max(work, 1u))) / MOST_DOUBLINGS, 1.0)), seen.depth);
+            return vec4f(heatColor(min(log2(f32(max(work, 1u))) / MAX_DOUBLINGS, 1.0)), seen.depth);
         }
         case VIEW_VALUE: {
             let color = signedColor(seen.value.x / frame.reach, slope / frame.reach);

@@ -40,7 +40,7 @@ pub struct Diagnostic {
 }
 
 /// The longest list of names that a message shows.
-const MOST_KNOWN: usize = 24;
+const MAX_KNOWN: usize = 24;
 
 impl Diagnostic {
     pub fn error(message: impl Into<String>) -> Self {
@@ -74,7 +74,7 @@ impl Diagnostic {
             .min_by_key(|(distance, _)| *distance);
         match close {
             Some((_, k)) => self.help(format!("did you mean `{k}`?")),
-            None if known.is_empty() || known.len() > MOST_KNOWN => self,
+            None if known.is_empty() || known.len() > MAX_KNOWN => self,
             None => self.help(format!("known: {}", known.join(", "))),
         }
     }

@@ -13,13 +13,13 @@ use notify::{RecommendedWatcher, RecursiveMode, Watcher as _};
 use crate::sources::{Answer, Sources};
 
 /// Files are read once they have been left alone for this long.
-const QUIET: Duration = Duration::from_millis(15);
+const BATCH_TIMEOUT: Duration = Duration::from_millis(15);
 /// The same where the system says that a file was closed or put in its place: others may follow.
-const QUIET_AFTER_CLOSE: Duration = Duration::from_millis(3);
+const BATCH_TIMEOUT_AFTER_CLOSE: Duration = Duration::from_millis(3);
 /// Whoever never leaves them alone is shown what there is after this long.
-const IMPATIENCE: Duration = Duration::from_millis(250);
+const STARVE_TIMEOUT: Duration = Duration::from_millis(250);
 /// Network folders, and systems out of watches, give no events: a look now and then finds the change.
-const LOOK_ANYWAY: Duration = Duration::from_secs(1);
+const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Watches the files of the last compilation on a thread of its own, until it is dropped.
 pub struct Watcher {
@@ -54,7 +54,7 @@ fn run(receiver: &Receiver<Message>, events: Sender<Message>, changed: &dyn Fn()
     let mut folders = Folders::new(events);
     let mut asked: Option<Asked> = None;
     loop {
-        match receiver.recv_timeout(LOOK_ANYWAY) {
+        match receiver.recv_timeout(POLL_INTERVAL) {
             Ok(Message::Watch(new)) => {
                 folders.follow(&new);
                 asked = Some(new);
@@ -78,7 +78,7 @@ fn run(receiver: &Receiver<Message>, events: Sender<Message>, changed: &dyn Fn()
 fn wait_for_quiet(receiver: &Receiver<Message>, mut quiet: Duration) -> Option<Asked> {
     let begun = Instant::now();
     let mut next = None;
-    while begun.elapsed() < IMPATIENCE {
+    while begun.elapsed() < STARVE_TIMEOUT {
         match receiver.recv_timeout(quiet) {
             Ok(Message::Stirred(next)) => quiet = next,
             Ok(Message::Watch(new)) => next = Some(new),
@@ -109,13 +109,13 @@ impl Folders {
     fn new(events: Sender<Message>) -> Self {
         let on_event = move |event: notify::Result<notify::Event>| {
             let quiet = match event.as_ref().map(|event| event.kind) {
-                Ok(EventKind::Access(AccessKind::Close(AccessMode::Write))) => QUIET_AFTER_CLOSE,
+                Ok(EventKind::Access(AccessKind::Close(AccessMode::Write))) => BATCH_TIMEOUT_AFTER_CLOSE,
                 Ok(EventKind::Modify(ModifyKind::Name(RenameMode::To | RenameMode::Both))) => {
-                    QUIET_AFTER_CLOSE
+                    BATCH_TIMEOUT_AFTER_CLOSE
                 }
                 // Our own reading makes events too, and must not wake us.
                 Ok(EventKind::Access(_)) => return,
-                _ => QUIET,
+                _ => BATCH_TIMEOUT,
             };
             let _ = events.send(Message::Stirred(quiet));
         };

@@ -8,7 +8,7 @@ fn mesh(ray: Ray, file: Model, smooth_: bool) -> f32 {
 
 fn meshSurface(p: vec3f, file: Model, smooth_: bool) -> Surface {
     var at = modelSurface(p, file);
-    at.normal = select(at.facet, at.normal, smooth_);
+    at.normal = select(at.geometric_normal, at.normal, smooth_);
     at.whole = select(vec4f(0.0), vec4f(0.0, 0.0, 1.0, 1.0), file.has_uv);
     at.rise = select(0.0, at.rise, smooth_);
     return at;

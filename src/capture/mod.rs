@@ -20,10 +20,10 @@ pub use origin::Origin;
 
 use crate::compile::Compiled;
 use crate::frame::Moment;
-use crate::gpu::{Gpu, GpuError, MOST_SIDE, Picture, PictureTimes, Renderer};
+use crate::gpu::{Gpu, GpuError, MAX_SIDE, Picture, PictureTimes, Renderer};
 
 /// The most pixels of a picture that memory must hold: an EXR file, or a frame of a movie.
-const MOST_AT_ONCE: u64 = 1 << 26;
+const MAX_AT_ONCE: u64 = 1 << 26;
 
 /// What to take a picture of, and how.
 #[derive(Clone, Copy, Debug)]
@@ -134,10 +134,10 @@ impl Shot<'_> {
         progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
     ) -> Result<Picture, CaptureError> {
         let pixels = u64::from(self.size[0]) * u64::from(self.size[1]);
-        if pixels > MOST_AT_ONCE {
+        if pixels > MAX_AT_ONCE {
             let why = format!(
-                "a picture of {}x{} is too large for this format, which takes {MOST_AT_ONCE} pixels, \
-                 such as 8192x8192; PNG pictures go to {MOST_SIDE}x{MOST_SIDE}",
+                "a picture of {}x{} is too large for this format, which takes {MAX_AT_ONCE} pixels, \
+                 such as 8192x8192; PNG pictures go to {MAX_SIDE}x{MAX_SIDE}",
                 self.size[0], self.size[1]
             );
             return Err(CaptureError::Format(why));

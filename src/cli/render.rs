@@ -21,7 +21,7 @@ use crate::suite::is_settings;
 use crate::wgsl::Mode;
 
 /// A picture must not wait longer for the question whether it is right.
-const MOST_FOR_DOUBTS: Duration = Duration::from_millis(200);
+const MAX_FOR_DOUBTS: Duration = Duration::from_millis(200);
 
 pub fn run(options: &RenderOptions) -> Result {
     if let Some(name) = options.value.as_ref().filter(|_| !shows_numbers(options)) {
@@ -138,7 +138,7 @@ fn draw(shot: &Shot<'_>, output: &Path) -> Result<Stats> {
     }
     if let Some(doubt) = drawn.sample.as_ref().and_then(|seen| {
         let moment = Moment { split: None, ..shot.moment };
-        canary::doubt(shot.compiled, &moment, SAMPLE, seen, MOST_FOR_DOUBTS)
+        canary::doubt(shot.compiled, &moment, SAMPLE, seen, MAX_FOR_DOUBTS)
     }) {
         print_report(&Report { diagnostics: vec![doubtful(shot, doubt)], texts: Default::default() });
     }

@@ -58,7 +58,7 @@ fn chosen(options: &TestOptions, sources: &Sources) -> Result<Vec<Case>> {
 }
 
 /// More devices than this only keep each other from the processors.
-const MOST_JOBS: usize = 8;
+const MAX_JOBS: usize = 8;
 
 /// A device for each thread. Unless told otherwise the software driver draws, if there is one: its pictures
 /// are the same on every machine.
@@ -79,7 +79,7 @@ fn devices(options: &TestOptions, cases: usize) -> Result<Vec<Gpu>> {
         },
     };
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let jobs = options.jobs.map_or(threads.min(MOST_JOBS), |jobs| jobs as usize).min(cases);
+    let jobs = options.jobs.map_or(threads.min(MAX_JOBS), |jobs| jobs as usize).min(cases);
     let choice = options.adapter.clone().unwrap_or(match first.is_software() {
         true => AdapterChoice::Software,
         false => AdapterChoice::Fastest,

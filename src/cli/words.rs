@@ -6,13 +6,13 @@ use std::ops::Range;
 
 use crate::export::Language;
 use crate::frame::View;
-use crate::gpu::{AdapterChoice, MOST_SIDE};
+use crate::gpu::{AdapterChoice, MAX_SIDE};
 
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     let parsed = text.split_once(['x', 'X']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     let size = parsed.ok_or("a size is width x height in pixels, such as 960x540")?;
-    let is_drawn = size.iter().all(|n| (1..=MOST_SIDE).contains(n));
-    is_drawn.then_some(size).ok_or_else(|| format!("the size must be from 1x1 to {MOST_SIDE}x{MOST_SIDE}"))
+    let is_drawn = size.iter().all(|n| (1..=MAX_SIDE).contains(n));
+    is_drawn.then_some(size).ok_or_else(|| format!("the size must be from 1x1 to {MAX_SIDE}x{MAX_SIDE}"))
 }
 
 pub fn frames(text: &str) -> Result<Range<u32>, String> {

@@ -11,7 +11,7 @@ use crate::frame::{Moment, sample_offset};
 use crate::ir;
 
 /// The most pixels in a row or a column of a picture.
-pub const MOST_SIDE: u32 = 65_536;
+pub const MAX_SIDE: u32 = 65_536;
 
 /// What the canvas of a picture is made of.
 const CANVAS: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -81,8 +81,8 @@ impl Renderer {
     /// # Errors
     /// Where the driver refuses the scene, or no picture has this size.
     pub fn new(gpu: &Gpu, compiled: &Compiled, size: [u32; 2]) -> Result<Self, GpuError> {
-        if size.iter().any(|n| !(1..=MOST_SIDE).contains(n)) {
-            let why = format!("pictures go from 1x1 to {MOST_SIDE}x{MOST_SIDE}, not {}x{}", size[0], size[1]);
+        if size.iter().any(|n| !(1..=MAX_SIDE).contains(n)) {
+            let why = format!("pictures go from 1x1 to {MAX_SIDE}x{MAX_SIDE}, not {}x{}", size[0], size[1]);
             return Err(GpuError::Refused(why));
         }
         let start = Instant::now();

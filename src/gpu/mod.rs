@@ -25,7 +25,7 @@ pub use adapters::{AdapterChoice, ask_no_absent_display};
 pub use device::{Gpu, GpuError, prefer_quick_compiles};
 pub use display::{Display, Light, Target};
 pub use identity::{Identity, Seen, Survey};
-pub use image::{MOST_SIDE, Picture, PictureTimes, Renderer, render};
+pub use image::{MAX_SIDE, Picture, PictureTimes, Renderer, render};
 pub use lines::{Line, Lines};
 pub use pace::Pace;
 pub use pipeline::Pipeline;

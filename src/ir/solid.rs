@@ -10,7 +10,7 @@ use super::Value;
 use crate::library::Function;
 
 /// The most parts of a combination, and of a group of them: drivers compile more at once slowly.
-const MOST_PARTS: usize = 16;
+const MAX_PARTS: usize = 16;
 
 /// A shape with a surface of its own.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,20 +93,20 @@ impl Combination {
     /// The same solid, in which many parts are combinations of a few.
     pub fn in_groups(mut self) -> Self {
         let name = self.name.clone();
-        if self.parts.len() > MOST_PARTS && self.operation == Operation::Difference {
+        if self.parts.len() > MAX_PARTS && self.operation == Operation::Difference {
             // What is in none of many is not in their union.
             let cut = group(format!("{name}, what is cut away"), Operation::Union, self.parts.split_off(1));
             self.parts.push(Solid::Combination(cut.in_groups()));
         }
         let mut width = 1;
-        while self.parts.len() > MOST_PARTS {
-            width *= MOST_PARTS;
+        while self.parts.len() > MAX_PARTS {
+            width *= MAX_PARTS;
             let mut parts = std::mem::take(&mut self.parts).into_iter().peekable();
             for first in (1..).step_by(width) {
                 if parts.peek().is_none() {
                     break;
                 }
-                let few = parts.by_ref().take(MOST_PARTS).collect();
+                let few = parts.by_ref().take(MAX_PARTS).collect();
                 let name = format!("{name}, parts {first} to {}", first + width - 1);
                 self.parts.push(Solid::Combination(group(name, self.operation, few)));
             }

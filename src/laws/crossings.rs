@@ -20,7 +20,7 @@ const SCOUTS: usize = 3000;
 /// Of what goes on without end, this much is looked at.
 const ENDLESS_RADIUS: f32 = 2.0;
 /// Crossings that one ray is followed over.
-pub const MOST_CROSSINGS: usize = 12;
+pub const MAX_CROSSINGS: usize = 12;
 /// The next crossing is looked for this far behind the last, in radii and in lengths of the way.
 const STEP: f32 = 1e-4;
 
@@ -73,11 +73,11 @@ impl Target {
         Ok(self.probe.rays(rays)?)
     }
 
-    /// All that each ray crosses, [`MOST_CROSSINGS`] at most.
+    /// All that each ray crosses, [`MAX_CROSSINGS`] at most.
     pub fn all(&self, rays: &[Ray]) -> Result<Vec<Vec<Crossing>>, Problem> {
         let mut ways: Vec<Vec<Crossing>> = vec![vec![]; rays.len()];
         let mut going: Vec<usize> = (0..rays.len()).collect();
-        for _ in 0..MOST_CROSSINGS {
+        for _ in 0..MAX_CROSSINGS {
             let next: Vec<Ray> = going
                 .iter()
                 .map(|i| Ray { t_min: ways[*i].last().map_or(0.0, |hit| self.behind(hit.t)), ..rays[*i] })

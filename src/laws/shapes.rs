@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use super::arguments::{call, nearby_argument};
-use super::crossings::{MOST_CROSSINGS, Target};
+use super::crossings::{MAX_CROSSINGS, Target};
 use super::values::first;
 use super::{Broken, Law, Problem, Random, World};
 use crate::gpu::{Crossing, Gpu, Ray};
@@ -22,13 +22,13 @@ const LENGTH_TOLERANCE: f32 = 1e-3;
 /// Rays that graze more than this, the cosine to the normal, are not asked whether they enter or leave.
 const GRAZING: f32 = 0.02;
 /// The share of rays in which a law may break: through an edge or a film that is thinner than a step.
-const MOST_WRONG: f64 = 0.005;
+const MAX_WRONG: f64 = 0.005;
 /// The same where a shape is marched to, which may pass through what is thin.
-const MOST_WRONG_MARCHED: f64 = 0.03;
+const MAX_WRONG_MARCHED: f64 = 0.03;
 /// The doc line of a shape whose normals do not tell inside from outside.
 const ROUGH: &str = "/// has a rough surface";
 /// The share of rays that numbers as data and as text may lead to different crossings.
-const MOST_DIFFERENT: f64 = 0.005;
+const MAX_DIFFERENT: f64 = 0.005;
 
 /// The laws that a shape breaks.
 ///
@@ -80,7 +80,7 @@ fn check_call(
             found.push(broken(law, format!("{call}, {place}: {what}").replace("points are", "rays are")));
         }
     };
-    let most = if function.traits.is_distance { MOST_WRONG_MARCHED } else { MOST_WRONG };
+    let most = if function.traits.is_distance { MAX_WRONG_MARCHED } else { MAX_WRONG };
     let any = |i: usize, tell: &dyn Fn(&Crossing) -> Option<String>| ways[i].iter().find_map(tell);
     note(Law::IsFinite, 0.0, &|i| any(i, &|hit| (!is_finite(hit)).then(|| format!("{hit:?}"))));
     note(Law::KeepsToTheRay, 0.0, &|i| leaves_the_ray(&rays[i], &ways[i]));
@@ -101,7 +101,7 @@ fn check_call(
     });
     if is_first && let Some(baked) = Target::new(gpu, world, call, Mode::Baked, is_endless)? {
         let literal = baked.first(&rays)?;
-        note(Law::IsTheSameLiveAndBaked, MOST_DIFFERENT, &|i| {
+        note(Law::IsTheSameLiveAndBaked, MAX_DIFFERENT, &|i| {
             let (a, b) = (start(i).map(|hit| hit.t), literal[i].map(|hit| hit.t));
             let same = match (a, b) {
                 (Some(a), Some(b)) => (a - b).abs() <= SURFACE_TOLERANCE * target.radius,
@@ -113,7 +113,7 @@ fn check_call(
     let back =
         target.first(&rays.iter().zip(&ways).map(|(ray, way)| backwards(ray, way)).collect::<Vec<_>>())?;
     note(Law::IsTheSameFromBehind, most, &|i| {
-        let last = ways[i].last().filter(|_| ways[i].len() < MOST_CROSSINGS)?;
+        let last = ways[i].last().filter(|_| ways[i].len() < MAX_CROSSINGS)?;
         let length = backwards(&rays[i], &ways[i]).origin.distance(rays[i].origin);
         let t = back[i].map(|hit| length - hit.t);
         let same = t.is_some_and(|t| (t - last.t).abs() <= SURFACE_TOLERANCE * target.radius);
@@ -128,7 +128,7 @@ fn check_call(
             (!enters(&rays[i], hit)).then(|| format!("the normal at {} is {}", hit.position, hit.normal))
         });
         note(Law::IsEnteredAndLeft, most, &|i| {
-            let is_judged = is_outside(i) && !grazes(&rays[i], &ways[i]) && ways[i].len() < MOST_CROSSINGS;
+            let is_judged = is_outside(i) && !grazes(&rays[i], &ways[i]) && ways[i].len() < MAX_CROSSINGS;
             let turns: Vec<bool> = ways[i].iter().map(|hit| enters(&rays[i], hit)).collect();
             let in_turn = turns.iter().enumerate().all(|(n, enters)| *enters == n.is_multiple_of(2));
             let ends = is_endless || turns.len().is_multiple_of(2);

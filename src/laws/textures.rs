@@ -32,7 +32,7 @@ const NARROW: f32 = 1e-6;
 const HARD_TOLERANCE: f32 = 5.0 * STEP;
 /// Where this many scene units are one pixel, the pixels differ by this at most.
 const WIDE: f32 = 1e4;
-const MOST_DEVIATION: f32 = 0.03;
+const MAX_DEVIATION: f32 = 0.03;
 
 /// The arguments of a texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,7 +95,7 @@ pub fn check_textures(gpu: &Gpu, world: &World, functions: &[Arc<Function>]) -> 
             if subject.function.text.contains("footprint") {
                 let what = alike(&hard[n], &soft[n], HARD_TOLERANCE, 1.0 - LEAST_HARD, |_| true);
                 note(Law::IsHardUpClose, &with(NARROW), what);
-                note(Law::IsEvenFromAfar, &with(WIDE), even(&wide[n], MOST_DEVIATION));
+                note(Law::IsEvenFromAfar, &with(WIDE), even(&wide[n], MAX_DEVIATION));
             }
         }
     }

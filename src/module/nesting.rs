@@ -11,7 +11,7 @@ use crate::diagnostic::Diagnostic;
 use crate::wgsl::Source;
 
 /// The branches that Mesa's software driver keeps (`LP_MAX_TGSI_NESTING`).
-const MOST_BRANCHES: usize = 80;
+const MAX_BRANCHES: usize = 80;
 
 /// Branches in each other.
 #[derive(Clone, Debug, Default)]
@@ -38,10 +38,10 @@ pub fn deepest(module: &Module) -> Nest {
 pub fn warning(module: &Module, source: &Source) -> Option<Diagnostic> {
     let Nest { depth, way } = deepest(module);
     let innermost = way.into_iter().rev().find(|span| is_authors(source, *span));
-    let innermost = innermost.filter(|_| depth > MOST_BRANCHES)?;
+    let innermost = innermost.filter(|_| depth > MAX_BRANCHES)?;
     let message = format!(
         "a machine without a GPU may draw this wrong: it has {depth} branches in each other, \
-         and Mesa's software driver keeps {MOST_BRANCHES}"
+         and Mesa's software driver keeps {MAX_BRANCHES}"
     );
     let problem =
         Diagnostic::warning(message).at(place(source, innermost.to_range()?), "this is in all of them");

@@ -11,8 +11,8 @@ use super::numbers::skipped;
 const DEEPEST: usize = 120;
 
 /// How many things one pair of brackets may hold, and how many pairs there may be.
-const MOST_ITEMS: usize = 10_000;
-const MOST_PAIRS: usize = 200_000;
+const MAX_ITEMS: usize = 10_000;
+const MAX_PAIRS: usize = 200_000;
 
 /// What is too much, and where.
 pub struct Excess {
@@ -32,7 +32,7 @@ pub fn excess(text: &str) -> Option<Excess> {
                 pairs += 1;
                 let message = match () {
                     () if open.len() > DEEPEST => format!("brackets are nested more than {DEEPEST} deep"),
-                    () if pairs > MOST_PAIRS => format!("the scene has more than {MOST_PAIRS} brackets"),
+                    () if pairs > MAX_PAIRS => format!("the scene has more than {MAX_PAIRS} brackets"),
                     () => continue,
                 };
                 return Some(Excess { message, span: at..at + 1 });
@@ -48,8 +48,8 @@ pub fn excess(text: &str) -> Option<Excess> {
         longest = longest.max(open.last().map_or((0, 0), |(at, commas)| (*commas, *at)));
     }
     let (items, at) = longest;
-    let message = format!("{items} things in one list: the most are {MOST_ITEMS}");
-    (items > MOST_ITEMS).then_some(Excess { message, span: at..at + 1 })
+    let message = format!("{items} things in one list: the most are {MAX_ITEMS}");
+    (items > MAX_ITEMS).then_some(Excess { message, span: at..at + 1 })
 }
 
 /// Brackets and commas outside of strings, characters and comments.

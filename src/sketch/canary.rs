@@ -12,7 +12,7 @@ use crate::frame::{FrameUniforms, Moment};
 const NEAR: f32 = 0.03;
 
 /// The share of the pixels that may differ: on an edge they fall on either side of it.
-const MOST: f64 = 0.03;
+const MAX_WRONG: f64 = 0.03;
 
 /// A picture that is not what the scene says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,5 +39,5 @@ pub fn doubt(
     let differs = |(a, b): &(&[f32; 4], &[f32; 4])| (0..3).any(|c| (shown(a[c]) - shown(b[c])).abs() > NEAR);
     let wrong = expected.iter().zip(drawn).filter(differs).count();
     let pixels = expected.len();
-    (wrong as f64 > MOST * pixels as f64).then_some(Doubt { wrong, pixels })
+    (wrong as f64 > MAX_WRONG * pixels as f64).then_some(Doubt { wrong, pixels })
 }

@@ -31,7 +31,7 @@ const SCATTER: u64 = 2_654_435_761;
 const STACK_BYTES: usize = 16 << 20;
 
 /// Larger models take longer to bring here than a sketch is worth.
-const MOST_TEXELS: usize = 1 << 20;
+const MAX_TEXELS: usize = 1 << 20;
 
 /// A scene that the processor can draw.
 #[derive(Clone, Debug)]
@@ -51,7 +51,7 @@ impl Sketch {
     /// # Errors
     /// Where the module has something that only a driver can do; no file that ships with raytoy has.
     pub fn new(compiled: &Compiled) -> Result<Self, Unsupported> {
-        if compiled.scene.models.iter().map(Model::texels).sum::<usize>() > MOST_TEXELS {
+        if compiled.scene.models.iter().map(Model::texels).sum::<usize>() > MAX_TEXELS {
             return unsupported("models of so many triangles");
         }
         let (module, info) = (compiled.module.naga(), compiled.module.info());

@@ -28,9 +28,9 @@ impl Disk {
 }
 
 /// The longest text that is read: scenes that a program wrote have some megabytes.
-pub(super) const MOST_TEXT: u64 = 16 << 20;
+pub(super) const MAX_TEXT: u64 = 16 << 20;
 /// The largest model or image that is read.
-pub(super) const MOST_BYTES: u64 = 1 << 30;
+pub(super) const MAX_BYTES: u64 = 1 << 30;
 
 pub(super) fn read_file(path: &Path, most: u64) -> Answer {
     // Pipes and devices may never end, or keep whoever opens them.

@@ -14,7 +14,7 @@ use std::sync::{Arc, Mutex};
 pub use disk::Disk;
 pub use reach::Reach;
 
-use self::disk::{MOST_BYTES, MOST_TEXT, lexically_absolute, read_file, same_above};
+use self::disk::{MAX_BYTES, MAX_TEXT, lexically_absolute, read_file, same_above};
 use crate::diagnostic::Diagnostic;
 
 /// Files as one compilation sees them: each is read once, so that all stages see the same bytes.
@@ -89,7 +89,7 @@ impl Sources {
     /// What is at `path`, wherever that is: for files that the user names.
     pub fn read(&self, path: &Path) -> Answer {
         let path = self.absolute(path);
-        self.recall(&path, MOST_BYTES, |_| Ok(path.clone()))
+        self.recall(&path, MAX_BYTES, |_| Ok(path.clone()))
     }
 
     /// The text at `path`, wherever that is.
@@ -98,7 +98,7 @@ impl Sources {
     /// Why there is none.
     pub fn text(&self, path: &Path) -> Result<Arc<str>, Diagnostic> {
         let path = self.absolute(path);
-        self.told(&path, self.recall(&path, MOST_TEXT, |_| Ok(path.clone())))
+        self.told(&path, self.recall(&path, MAX_TEXT, |_| Ok(path.clone())))
     }
 
     /// The bytes at `path`, wherever that is.

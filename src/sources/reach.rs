@@ -5,7 +5,7 @@
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use super::disk::{MOST_BYTES, MOST_TEXT, unread};
+use super::disk::{MAX_BYTES, MAX_TEXT, unread};
 use super::{Answer, Sources};
 use crate::diagnostic::Diagnostic;
 
@@ -25,7 +25,7 @@ impl Reach<'_> {
 
     /// What is at `path`.
     pub fn read(&self, path: &Path) -> Answer {
-        self.read_up_to(path, MOST_BYTES)
+        self.read_up_to(path, MAX_BYTES)
     }
 
     /// The text at `path`.
@@ -33,7 +33,7 @@ impl Reach<'_> {
     /// # Errors
     /// Why there is none.
     pub fn text(&self, path: &Path) -> Result<Arc<str>, Diagnostic> {
-        self.told(path, self.read_up_to(path, MOST_TEXT))
+        self.told(path, self.read_up_to(path, MAX_TEXT))
     }
 
     /// The bytes at `path`.

@@ -4,7 +4,7 @@ use super::code::Lines;
 
 /// The most cases that return. Mesa's software driver puts all that follows a `return` into a branch of its
 /// own, one in the other, and loses count of more than 80. What is assigned leaves nothing to follow.
-const MOST_RETURNS: usize = 16;
+const MAX_RETURNS: usize = 16;
 
 /// What a function with a switch returns.
 pub struct Answer {
@@ -17,7 +17,7 @@ pub struct Answer {
 impl Answer {
     /// Of a switch with so many cases.
     pub fn new(cases: usize, name: &'static str, ty: &'static str) -> Self {
-        Self { name, ty, is_returned: cases <= MOST_RETURNS }
+        Self { name, ty, is_returned: cases <= MAX_RETURNS }
     }
 
     /// What stands before the answer in a case: `return ` or `name = `.

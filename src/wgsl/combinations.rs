@@ -55,7 +55,7 @@ impl Writer<'_> {
             lines.statement(4, &format!("var moved{i} = "), &moved, ";");
         }
         parts.iter().for_each(|part| lines.push(format!("    var {} = notAsked();", part.name)));
-        lines.push("    for (var i = 0u; i < MOST_CROSSINGS; i++) {");
+        lines.push("    for (var i = 0u; i < MAX_CROSSINGS; i++) {");
         for (part, solid) in parts.iter().zip(&combination.parts) {
             lines.push(format!("        if {}.t <= rest.t_min {{", part.name));
             lines.extend(self.ask_part(part, solid, objects));
@@ -140,7 +140,7 @@ impl Writer<'_> {
         let surface = self.on_shape(index, "Surface", Code::atom(format!("pointAt({ray}, t)")), written);
         lines.statement(12, "let on = ", &surface, ";");
         let object = &self.object_names[index];
-        lines.push(format!("            {name} = crossing({ray}, t, {object}, on.facet);"));
+        lines.push(format!("            {name} = crossing({ray}, t, {object}, on.geometric_normal);"));
         if self.scene.objects[index].shape.traits.is_endless {
             let contains =
                 self.on_shape(index, "Contains", Code::atom(format!("pointBeyond({ray})")), written);

@@ -50,7 +50,7 @@ struct App<'a> {
 const PATIENCE: Duration = Duration::from_millis(300);
 
 /// A driver that gives up this often before it has drawn anything does not come back.
-const MOST_IN_VAIN: u32 = 4;
+const MAX_FAILED_RESTARTS: u32 = 4;
 
 impl App<'_> {
     fn open(&self, event_loop: &ActiveEventLoop) -> Result<Open, String> {
@@ -96,7 +96,7 @@ impl App<'_> {
         // The surface has to let go of the window before another one takes it.
         drop(backend);
         let number = restarts + 1;
-        let started = match vain < MOST_IN_VAIN {
+        let started = match vain < MAX_FAILED_RESTARTS {
             true => {
                 let begun = (panel.scene(), trial.clone(), panel.settings.theme);
                 self.backend(&window, event_loop, number, begun)

@@ -11,7 +11,7 @@ use raytoy::gpu::{Gpu, Ray};
 const RAYS: u64 = 2000;
 
 /// The share of rays that may meet what is not there, or miss what is.
-const MOST_WRONG: f64 = 1e-4;
+const MAX_WRONG: f64 = 1e-4;
 /// Of the distance.
 const SURFACE_TOLERANCE: f32 = 2e-5;
 /// Radians, to the normals at the true crossing and at the point that was found.
@@ -78,7 +78,7 @@ fn check(gpu: &Gpu, name: &str, calls: &[Call]) -> Vec<String> {
             }
         }
     }
-    if wrong as f64 > MOST_WRONG * judged as f64 {
+    if wrong as f64 > MAX_WRONG * judged as f64 {
         problems.push(format!("{name}: {wrong} of {judged} rays find or miss it wrongly, such as {worst}"));
     }
     problems

@@ -22,7 +22,7 @@ const SCALES: [f32; 8] = [1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4];
 /// Rays start 1e-5 of the scene's size off the surface. What changes within twice as much is left out.
 const NEAR: f64 = 2e-5;
 /// The share that may be left out.
-const MOST_UNCLEAR: f64 = 2e-3;
+const MAX_UNCLEAR: f64 = 2e-3;
 
 /// Lengths stand in angle brackets.
 struct Place {
@@ -152,7 +152,7 @@ impl Place {
             let Bits { count, unclear, wrong, example } = sum;
             let told = format!("{}, {scale} times as large: {wrong} of {count} bits are wrong", self.name);
             eprintln!("{told}, {unclear} left out");
-            let is_wrong = wrong > 0 || unclear as f64 > MOST_UNCLEAR * count as f64;
+            let is_wrong = wrong > 0 || unclear as f64 > MAX_UNCLEAR * count as f64;
             is_wrong.then(|| format!("{told}, {unclear} left out; {example}"))
         });
         results.into_iter().flatten().collect()

@@ -88,7 +88,7 @@ const VIEWS: [(&str, [f32; 3], [f32; 3]); 3] = [
 
 const SIZE: [u32; 2] = [96, 72];
 /// Pixels in which an edge may fall on the other side.
-const MOST_WRONG: usize = 30;
+const MAX_WRONG: usize = 30;
 
 #[test]
 fn combinations_are_the_bodies_that_they_describe() {
@@ -98,7 +98,7 @@ fn combinations_are_the_bodies_that_they_describe() {
             let fov = if *view == "far away" { 3.0 } else { 60.0 };
             let draw = |objects: &str| picture(gpu, objects, *eye, *target, fov);
             let wrong = differing(&draw(made), &draw(plain));
-            (wrong > MOST_WRONG).then(|| format!("{law}, {view}: {wrong} pixels differ"))
+            (wrong > MAX_WRONG).then(|| format!("{law}, {view}: {wrong} pixels differ"))
         })
     }));
 }

@@ -11,10 +11,10 @@ use raytoy::module::nesting::deepest;
 use raytoy::wgsl::Mode;
 
 /// The longest line and the longest function of the text that raytoy writes.
-const MOST_COLUMNS: usize = 100;
-const MOST_STATEMENTS: usize = 300;
+const MAX_COLUMNS: usize = 100;
+const MAX_STATEMENTS: usize = 300;
 /// Of which one is in the other.
-const MOST_BRANCHES: usize = 50;
+const MAX_BRANCHES: usize = 50;
 
 #[test]
 fn each_scene_generates_its_golden() {
@@ -54,12 +54,12 @@ fn lines_and_functions_stay_short() {
             let text = compiled.source.generated();
             for (number, line) in (1..).zip(text.lines()) {
                 let columns = line.chars().count();
-                assert!(columns <= MOST_COLUMNS, "{scene}, {mode:?}: line {number} has {columns}: {line}");
+                assert!(columns <= MAX_COLUMNS, "{scene}, {mode:?}: line {number} has {columns}: {line}");
             }
             for function in text.split("\nfn ").skip(1) {
                 let statements = function.matches(';').count();
                 let name = function.split('(').next().unwrap_or_default();
-                assert!(statements <= MOST_STATEMENTS, "{scene}, {mode:?}: {name} has {statements}");
+                assert!(statements <= MAX_STATEMENTS, "{scene}, {mode:?}: {name} has {statements}");
             }
         }
     }
@@ -85,7 +85,7 @@ fn branches_in_each_other_stay_few() {
     let scenes = good_scenes().into_iter().map(|scene| expect_compiled(outcome(&scene, Mode::Baked)));
     for compiled in scenes.chain([many, measured]) {
         let depth = deepest(compiled.module.naga()).depth;
-        assert!(depth <= MOST_BRANCHES, "{} has {depth} branches in each other", compiled.scene.name);
+        assert!(depth <= MAX_BRANCHES, "{} has {depth} branches in each other", compiled.scene.name);
     }
 }
 

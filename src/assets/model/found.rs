@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec2, Vec3};
 
-use super::{MOST_COORDINATE, MOST_TRIANGLES};
+use super::{MAX_COORDINATE, MAX_TRIANGLES};
 
 /// A corner: the normal and the uv may be missing.
 #[derive(Clone, Copy, Debug)]
@@ -49,14 +49,14 @@ impl Findings {
     /// # Errors
     /// That there are too many triangles to go on.
     pub fn add(&mut self, face: Face) -> Result<(), String> {
-        if self.faces.len() >= MOST_TRIANGLES {
+        if self.faces.len() >= MAX_TRIANGLES {
             return Err(too_many());
         }
         let corners = &face.corners;
-        if corners.iter().any(|corner| corner.position.abs().max_element() > MOST_COORDINATE)
+        if corners.iter().any(|corner| corner.position.abs().max_element() > MAX_COORDINATE)
             || corners.iter().any(|corner| corner.position.is_nan())
         {
-            self.lose(|| format!("the numbers of a corner are none, or beyond {MOST_COORDINATE:e}"));
+            self.lose(|| format!("the numbers of a corner are none, or beyond {MAX_COORDINATE:e}"));
         } else {
             let corners = face.corners.map(|corner| self.repaired(corner));
             self.faces.push(Face { corners, ..face });
@@ -72,7 +72,7 @@ impl Findings {
 
     fn repaired(&mut self, corner: Found) -> Found {
         let normal = corner.normal.filter(|normal| normal.is_finite());
-        let uv = corner.uv.filter(|uv| uv.abs().max_element() <= MOST_COORDINATE as f32 && !uv.is_nan());
+        let uv = corner.uv.filter(|uv| uv.abs().max_element() <= MAX_COORDINATE as f32 && !uv.is_nan());
         self.broken_normals += usize::from(normal.is_none() && corner.normal.is_some());
         self.broken_uvs += usize::from(uv.is_none() && corner.uv.is_some());
         Found { normal, uv, ..corner }
@@ -99,7 +99,7 @@ impl Findings {
 }
 
 pub fn too_many() -> String {
-    format!("has more than {MOST_TRIANGLES} triangles")
+    format!("has more than {MAX_TRIANGLES} triangles")
 }
 
 /// `one`, or how many of `many`.

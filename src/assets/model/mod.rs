@@ -61,13 +61,13 @@ const NODE_TEXELS: usize = 4;
 const TRIANGLE_TEXELS: usize = 6;
 
 /// Keeps what a model takes of a GPU's memory below what all take in one buffer.
-const MOST_TRIANGLES: usize = 1_000_000;
+const MAX_TRIANGLES: usize = 1_000_000;
 
 /// Farther out the squares of areas are no numbers any more.
-const MOST_COORDINATE: f64 = 1e9;
+const MAX_COORDINATE: f64 = 1e9;
 
 /// A model that lies farther from its zero than so many times its size is counted from its own middle.
-const MOST_REMOTE: f64 = 8.0;
+const MAX_REMOTE: f64 = 8.0;
 
 impl Model {
     /// Reads OBJ or glTF.
@@ -151,7 +151,7 @@ fn check(findings: &Findings) -> Result<(), String> {
     }
     let has_area = |face: &Face| {
         let [a, b, c] = face.corners.map(|corner| corner.position);
-        facet([Vec3::ZERO, (b - a).as_vec3(), (c - a).as_vec3()]) != Vec3::ZERO
+        geometric_normal([Vec3::ZERO, (b - a).as_vec3(), (c - a).as_vec3()]) != Vec3::ZERO
     };
     if !faces.iter().any(has_area) {
         let oddity = findings.oddities.first().map(|oddity| format!(": it {oddity}"));
@@ -166,7 +166,7 @@ fn settle(faces: &mut [Face]) -> DVec3 {
     let low = corners().reduce(DVec3::min).unwrap_or_default();
     let high = corners().reduce(DVec3::max).unwrap_or_default();
     let middle = low.midpoint(high);
-    let is_remote = middle.abs().max_element() > MOST_REMOTE * (high - low).max_element();
+    let is_remote = middle.abs().max_element() > MAX_REMOTE * (high - low).max_element();
     // Whole numbers, that a person finds them again.
     let origin = if is_remote { middle.round() } else { DVec3::ZERO };
     for corner in faces.iter_mut().flat_map(|face| &mut face.corners) {
@@ -196,7 +196,7 @@ fn bounds(triangle: &[Corner; 3]) -> [Vec3; 2] {
 }
 
 /// The outward normal of a flat triangle, length 1; zero where it has no area.
-fn facet([a, b, c]: [Vec3; 3]) -> Vec3 {
+fn geometric_normal([a, b, c]: [Vec3; 3]) -> Vec3 {
     (b - a).normalize_or_zero().cross((c - a).normalize_or_zero()).normalize_or_zero()
 }
 

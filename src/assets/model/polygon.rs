@@ -5,14 +5,14 @@
 use glam::{DVec2, DVec3};
 
 /// Larger polygons are taken as convex: the search for ears takes the square of their corners and more.
-const MOST_CORNERS: usize = 1000;
+const MAX_CORNERS: usize = 1000;
 
 /// Cuts off one ear after the other: a corner whose triangle holds no other corner (Meisters, Polygons Have
 /// Ears, 1975). A convex polygon becomes a fan around its first corner.
 pub fn triangles(corners: &[DVec3]) -> Vec<[usize; 3]> {
     let mut rest: Vec<usize> = (0..corners.len()).collect();
     let mut found = vec![];
-    if corners.len() <= MOST_CORNERS {
+    if corners.len() <= MAX_CORNERS {
         let flat = flattened(corners);
         while rest.len() > 3 {
             let Some(ear) = (1..=rest.len()).find(|i| is_ear(&flat, &rest, i % rest.len())) else { break };

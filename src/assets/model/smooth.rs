@@ -5,7 +5,7 @@
 use glam::{Vec2, Vec3};
 
 use super::found::{Face, Found};
-use super::{Corner, facet, places, surfaces};
+use super::{Corner, geometric_normal, places, surfaces};
 
 /// Gives each corner a normal and uv. Where the file has no normal it is the mean of the triangles of its
 /// surface that meet there, each as much as its angle (Thürrner and Wüthrich, Computing Vertex Normals
@@ -13,10 +13,10 @@ use super::{Corner, facet, places, surfaces};
 /// box's faces are.
 pub fn finish(faces: &[Face]) -> Vec<[Corner; 3]> {
     let positions = |face: &Face| face.corners.map(|corner| corner.position.as_vec3());
-    let facets: Vec<Vec3> = faces.iter().map(|face| facet(positions(face))).collect();
+    let geometric_normals: Vec<Vec3> = faces.iter().map(|face| geometric_normal(positions(face))).collect();
     let lacks_normal = |corner: &Found| given_normal(corner).is_none();
     let means = match faces.iter().flat_map(|face| &face.corners).any(lacks_normal) {
-        true => means(faces, &facets),
+        true => means(faces, &geometric_normals),
         false => vec![],
     };
     let corner = |corner: &Found, flat: Vec3, mean: Option<Vec3>| {
@@ -26,7 +26,7 @@ pub fn finish(faces: &[Face]) -> Vec<[Corner; 3]> {
         let position = corner.position.as_vec3();
         Corner { position, normal, uv: corner.uv.unwrap_or_else(|| seen_along(flat, position)) }
     };
-    let finished = faces.iter().zip(&facets).enumerate().map(|(n, (face, flat))| {
+    let finished = faces.iter().zip(&geometric_normals).enumerate().map(|(n, (face, flat))| {
         [0, 1, 2].map(|i| corner(&face.corners[i], *flat, means.get(n).map(|means| means[i])))
     });
     finished.collect()
@@ -37,18 +37,18 @@ fn given_normal(corner: &Found) -> Option<Vec3> {
 }
 
 /// For each corner the mean of the triangles of its surface that meet there.
-fn means(faces: &[Face], facets: &[Vec3]) -> Vec<[Vec3; 3]> {
-    let surfaces = surfaces::numbered(faces, facets, &places::numbered(faces));
+fn means(faces: &[Face], geometric_normals: &[Vec3]) -> Vec<[Vec3; 3]> {
+    let surfaces = surfaces::numbered(faces, geometric_normals, &places::numbered(faces));
     let mut sums = vec![Vec3::ZERO; 3 * faces.len()];
-    for ((face, surfaces), facet) in faces.iter().zip(&surfaces).zip(facets) {
-        if *facet == Vec3::ZERO {
+    for ((face, surfaces), geometric_normal) in faces.iter().zip(&surfaces).zip(geometric_normals) {
+        if *geometric_normal == Vec3::ZERO {
             continue;
         }
         let at = face.corners.map(|corner| corner.position.as_vec3());
         for (i, surface) in surfaces.iter().enumerate() {
             // With length 1, that their squares are neither nothing nor endless.
             let sides = [1, 2].map(|k| (at[(i + k) % 3] - at[i]).normalize_or_zero());
-            sums[*surface] += sides[0].angle_between(sides[1]) * *facet;
+            sums[*surface] += sides[0].angle_between(sides[1]) * *geometric_normal;
         }
     }
     surfaces.iter().map(|surfaces| surfaces.map(|surface| sums[surface])).collect()

@@ -15,13 +15,17 @@ use super::places::Mixed;
 const SHARP: f32 = 0.642_787_6;
 
 /// The surface of each corner: the number of a corner of it, where corner i of face n has the number 3 n + i.
-pub fn numbered(faces: &[Face], facets: &[Vec3], places: &[[usize; 3]]) -> Vec<[usize; 3]> {
+pub fn numbered(faces: &[Face], geometric_normals: &[Vec3], places: &[[usize; 3]]) -> Vec<[usize; 3]> {
     let mut groups: HashMap<(usize, u32), usize, Mixed> = HashMap::default();
     let mut edges: HashMap<(usize, usize), [usize; 2], Mixed> = HashMap::default();
     let mut leaders: Vec<usize> = (0..3 * faces.len()).collect();
     // A triangle without area has no side that could be smooth with another one.
-    let solid = faces.iter().zip(facets).enumerate().filter(|(_, (_, facet))| **facet != Vec3::ZERO);
-    for (n, (face, facet)) in solid {
+    let solid = faces
+        .iter()
+        .zip(geometric_normals)
+        .enumerate()
+        .filter(|(_, (_, geometric_normal))| **geometric_normal != Vec3::ZERO);
+    for (n, (face, geometric_normal)) in solid {
         for i in 0..3 {
             let here = 3 * n + i;
             match face.smoothing {
@@ -36,7 +40,7 @@ pub fn numbered(faces: &[Face], facets: &[Vec3], places: &[[usize; 3]]) -> Vec<[
                     let (edge, ends) = if a < b { ((a, b), [here, next]) } else { ((b, a), [next, here]) };
                     let known = edges.insert(edge, ends);
                     if let Some(others) = known
-                        && facets[others[0] / 3].dot(*facet) > SHARP
+                        && geometric_normals[others[0] / 3].dot(*geometric_normal) > SHARP
                     {
                         join(&mut leaders, others[0], ends[0]);
                         join(&mut leaders, others[1], ends[1]);

@@ -4,8 +4,8 @@ use super::{count, lines, sight, told};
 use crate::difference::{SceneDifference, TextDifference};
 
 /// Words of a value beyond so many letters are cut, and a diff after so many lines: the whole is in the page.
-const MOST_LETTERS: usize = 72;
-const MOST_LINES: usize = 40;
+const MAX_LETTERS: usize = 72;
+const MAX_LINES: usize = 40;
 
 /// The text of what differs.
 pub fn human(difference: &SceneDifference) -> String {
@@ -29,7 +29,7 @@ fn section(what: &str, lines: &[String]) -> String {
 }
 
 fn diff(difference: &TextDifference) -> String {
-    let (lines, more) = difference.unified(MOST_LINES);
+    let (lines, more) = difference.unified(MAX_LINES);
     let mut text: String = lines.iter().map(|line| format!("  {line}\n")).collect();
     if more > 0 {
         text += &format!("  … {more} more lines; `--report diff.html` shows all\n");
@@ -38,7 +38,7 @@ fn diff(difference: &TextDifference) -> String {
 }
 
 fn cut(words: &str) -> String {
-    match words.char_indices().nth(MOST_LETTERS) {
+    match words.char_indices().nth(MAX_LETTERS) {
         Some((at, _)) => format!("{}…", &words[..at]),
         None => words.to_owned(),
     }

@@ -12,7 +12,7 @@ use crate::files::write_file;
 use crate::gpu::Picture;
 
 /// Files that the folder may hold; the oldest go first.
-const MOST: usize = 2000;
+const MAX_FILES: usize = 2000;
 
 /// A small picture, by rows from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,7 +32,7 @@ impl Store {
     /// Without a folder, they are kept only as long as the window is open.
     pub fn open(folder: Option<PathBuf>) -> Self {
         if let Some(folder) = &folder {
-            prune(folder, MOST);
+            prune(folder, MAX_FILES);
         }
         Self { folder, known: BTreeMap::new() }
     }

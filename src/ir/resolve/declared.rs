@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::limits::MOST_TEXTURES;
+use super::limits::MAX_TEXTURES;
 use super::{Resolver, Usage};
 use crate::diagnostic::Diagnostic;
 use crate::ir::{Texture, Value};
@@ -17,7 +17,7 @@ impl<'a> Resolver<'a> {
             self.mismatch(written, "a map `{ \"name\": Texture() }`");
             return;
         };
-        if !self.allows(entries.len(), MOST_TEXTURES, "textures", &written.span) {
+        if !self.allows(entries.len(), MAX_TEXTURES, "textures", &written.span) {
             return;
         }
         for (i, entry) in entries.iter().enumerate() {

@@ -8,7 +8,7 @@ use crate::library::{Parameter, Type};
 use crate::scene::{self, Kind};
 
 /// What WebGPU lets a shader read, without the models and the picture that gathers samples.
-const MOST_IMAGES: usize = 14;
+const MAX_IMAGES: usize = 14;
 
 impl Resolver<'_> {
     /// The index of the image in the file `path`, read as `reading` says.
@@ -23,8 +23,8 @@ impl Resolver<'_> {
                         self.push(Diagnostic::warning(message).at(place.clone(), ""));
                     }
                     self.images.push(image);
-                    if self.images.len() > MOST_IMAGES {
-                        let message = format!("more than {MOST_IMAGES} images in one scene");
+                    if self.images.len() > MAX_IMAGES {
+                        let message = format!("more than {MAX_IMAGES} images in one scene");
                         self.push(Diagnostic::error(message).at(place, ""));
                     }
                     self.images.len() - 1

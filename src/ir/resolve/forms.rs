@@ -1,7 +1,7 @@
 //! Textures that are the generator's own, since no function signature can say what they take.
 
 use super::Resolver;
-use super::limits::MOST_STOPS;
+use super::limits::MAX_STOPS;
 use super::reader::Fields;
 use crate::ir::fields::{EVERY_TEXTURE, Group};
 use crate::ir::{Call, Interpolation, Ramp, Triplanar, Value};
@@ -30,7 +30,7 @@ impl Resolver<'_> {
             self.mismatch(stops, "a list of stops `[(0.0, \"#000\"), (1.0, \"#fff\")]`");
             return None;
         };
-        if !self.allows(items.len(), MOST_STOPS, "stops", &stops.span) {
+        if !self.allows(items.len(), MAX_STOPS, "stops", &stops.span) {
             return None;
         }
         let mut resolved: Vec<(f32, Value)> = vec![];

@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::Resolver;
-use super::limits::MOST_LIGHTS;
+use super::limits::MAX_LIGHTS;
 use super::reader::Fields;
 use crate::diagnostic::Diagnostic;
 use crate::ir::fields::{EVERY_LIGHT, LIGHTS};
@@ -17,7 +17,7 @@ impl Resolver<'_> {
             self.mismatch(written, "a list of lights `[Point(position: (4, 6, 3))]`");
             return vec![];
         };
-        if !self.allows(items.len(), MOST_LIGHTS, "lights", &written.span) {
+        if !self.allows(items.len(), MAX_LIGHTS, "lights", &written.span) {
             return vec![];
         }
         items.iter().filter_map(|item| self.light(item)).collect()

@@ -7,17 +7,17 @@ use crate::ir::Value;
 use crate::ir::points::Point;
 
 /// Uniform data and compile time grow with the objects of a scene that is written out.
-pub const MOST_OBJECTS: usize = 4096;
-pub const MOST_LIGHTS: usize = 1024;
-pub const MOST_TEXTURES: usize = 1024;
-pub const MOST_STOPS: usize = 1024;
+pub const MAX_OBJECTS: usize = 4096;
+pub const MAX_LIGHTS: usize = 1024;
+pub const MAX_TEXTURES: usize = 1024;
+pub const MAX_STOPS: usize = 1024;
 /// A ray's way through a solid in a solid is a loop in a loop.
 pub const DEEPEST_SOLID: usize = 16;
 
 /// How many textures may be evaluated at a point, and for all materials together. Drivers inline all, and
 /// take more than linear time: a software driver about 2 minutes for 512 noises.
-const MOST_AT_A_POINT: u64 = 512;
-const MOST_IN_ALL: u64 = 4096;
+const MAX_AT_A_POINT: u64 = 512;
+const MAX_IN_ALL: u64 = 4096;
 
 /// What the evaluation of textures costs, so far.
 #[derive(Default)]
@@ -46,7 +46,7 @@ impl Resolver<'_> {
         let costs =
             (0..self.textures.len()).map(|index| (self.evaluations(&[&Value::Texture(index)]), index));
         let Some((cost, index)) = costs.max() else { return };
-        if cost > MOST_AT_A_POINT {
+        if cost > MAX_AT_A_POINT {
             let name = self.textures[index].name.clone();
             self.too_costly(&span(&name).unwrap_or(0..0), &format!("texture \"{name}\""), cost);
         }
@@ -57,11 +57,11 @@ impl Resolver<'_> {
         let cost = self.evaluations(values);
         let before = self.cost.in_all;
         self.cost.in_all = before.saturating_add(cost);
-        if cost > MOST_AT_A_POINT {
+        if cost > MAX_AT_A_POINT {
             self.too_costly(span, "this", cost);
-        } else if before <= MOST_IN_ALL && self.cost.in_all > MOST_IN_ALL && !self.cost.is_reported {
+        } else if before <= MAX_IN_ALL && self.cost.in_all > MAX_IN_ALL && !self.cost.is_reported {
             let message =
-                format!("with this, the scene evaluates more than {} textures", grouped(MOST_IN_ALL));
+                format!("with this, the scene evaluates more than {} textures", grouped(MAX_IN_ALL));
             let advice = "give objects that look alike the same material, by its name".into();
             self.error(span, message).help.push(advice);
         }
@@ -81,7 +81,7 @@ impl Resolver<'_> {
             return;
         }
         let least = if cost == u64::MAX { "at least " } else { "" };
-        let (cost, most) = (grouped(cost), grouped(MOST_AT_A_POINT));
+        let (cost, most) = (grouped(cost), grouped(MAX_AT_A_POINT));
         let message = format!("{what} evaluates {least}{cost} textures at a point: the most are {most}");
         let advice = "a named texture counts once at each point that a mapping makes";
         self.error(span, message).help.push(advice.into());

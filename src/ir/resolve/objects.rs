@@ -6,7 +6,7 @@ use std::ops::Range;
 use glam::{DAffine3, DVec3};
 
 use super::Resolver;
-use super::limits::{DEEPEST_SOLID, MOST_OBJECTS};
+use super::limits::{DEEPEST_SOLID, MAX_OBJECTS};
 use super::placement::into_space;
 use super::reader::Fields;
 use super::remote::Stand;
@@ -61,7 +61,7 @@ impl Resolver<'_> {
             self.mismatch(written, "a list of objects `[Sphere()]`");
             return (vec![], vec![]);
         };
-        if !self.allows(count(items), MOST_OBJECTS, "objects and parts", &written.span) {
+        if !self.allows(count(items), MAX_OBJECTS, "objects and parts", &written.span) {
             return (vec![], vec![]);
         }
         let bodies =

@@ -13,7 +13,7 @@ use crate::library::{Const, Function, Parameter};
 /// An object may lie so many times as far from the origin as it is large, or as half of what the camera sees
 /// there. Then 97 of 100 pixels are right; what is lost is the edge of shadows. At ten times as much they are
 /// gone (tests/gpu/remote.rs).
-const MOST_REMOTE: f64 = 1e4;
+const MAX_REMOTE: f64 = 1e4;
 
 /// Where an object stands in the world.
 pub struct Stand {
@@ -85,7 +85,7 @@ impl Resolver<'_> {
             let away = middle.abs().max_element();
             // From farther off a pixel is wider than what is lost.
             let seen = half_view * middle.distance(eye);
-            (away > MOST_REMOTE * stand.size.max(seen)).then_some(away)
+            (away > MAX_REMOTE * stand.size.max(seen)).then_some(away)
         };
         let remote: Vec<(&Stand, f64)> =
             stands.iter().filter_map(|stand| Some((stand, far(stand)?))).collect();

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::ir::Camera;
 
 /// Digits that there are.
-pub const MOST: u8 = 9;
+pub const MAX_BOOKMARKS: u8 = 9;
 
 /// The cameras that were kept of a scene, by their digits.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -16,7 +16,7 @@ pub struct Bookmarks(Vec<Bookmark>);
 /// A camera that was kept.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Bookmark {
-    /// 1 to [`MOST`].
+    /// 1 to [`MAX_BOOKMARKS`].
     pub digit: u8,
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub name: String,
@@ -56,7 +56,7 @@ impl Bookmarks {
 
 /// The first digit under which `bookmarks` have no camera.
 pub fn free_digit(bookmarks: &[Bookmark]) -> Option<u8> {
-    (1..=MOST).find(|digit| bookmarks.iter().all(|known| known.digit != *digit))
+    (1..=MAX_BOOKMARKS).find(|digit| bookmarks.iter().all(|known| known.digit != *digit))
 }
 
 impl Bookmark {

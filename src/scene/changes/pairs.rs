@@ -4,7 +4,7 @@ use crate::scene::order::{found_again, longest_common};
 use crate::scene::{Field, Kind, Record, Value};
 
 /// Beyond so many comparisons of two items their fields are not looked at.
-const MOST_COMPARED: usize = 1 << 18;
+const MAX_COMPARED: usize = 1 << 18;
 
 /// How alike two values are that are of one kind and share nothing; 1 is the same.
 const OF_ONE_KIND: f64 = 0.25;
@@ -47,7 +47,7 @@ pub fn in_order(found: &[Option<usize>], others: usize) -> Vec<bool> {
 /// Pairs of the chosen items, in order.
 fn most_alike(old: &[Value], olds: &[usize], new: &[Value], news: &[usize]) -> Vec<(usize, usize)> {
     let (rows, columns) = (olds.len(), news.len());
-    if rows * columns > MOST_COMPARED {
+    if rows * columns > MAX_COMPARED {
         let is_same = |i: usize, j: usize| shape(&old[olds[i]]) == shape(&new[news[j]]);
         let found = longest_common(rows, columns, is_same).into_iter().enumerate();
         return found.filter_map(|(i, j)| Some((olds[i], news[j?]))).collect();

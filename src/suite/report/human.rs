@@ -4,7 +4,7 @@ use super::Run;
 use crate::suite::{Failure, Outcome};
 
 /// A diff is cut after so many lines: the whole is in the page.
-const MOST_LINES: usize = 24;
+const MAX_LINES: usize = 24;
 
 /// The text of a run, which ends with `N passed, N failed`.
 pub fn human(run: &Run) -> String {
@@ -33,7 +33,7 @@ fn story(run: &Run, outcome: &Outcome) -> String {
             text.push('\n');
         }
         if let Failure::Text { difference, .. } = failure {
-            let (lines, more) = difference.unified(MOST_LINES);
+            let (lines, more) = difference.unified(MAX_LINES);
             lines.iter().for_each(|line| text += &format!("      {line}\n"));
             if more > 0 {
                 text += &format!("      … {more} more lines; `--report report.html` shows all\n");

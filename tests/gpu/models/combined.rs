@@ -13,7 +13,7 @@ use crate::device::gpu;
 
 const RAYS: usize = 1500;
 /// The share of rays that may change sides where they should not, or not where they should.
-const MOST_WRONG: f64 = 1e-3;
+const MAX_WRONG: f64 = 1e-3;
 /// Of the distance along the ray, or of the model's radius if that is more.
 const TOLERANCE: f64 = 1e-4;
 /// A ray that has met something goes on from a little beyond.
@@ -63,7 +63,7 @@ fn solids_begin_and_end_where_models_do() {
             })
             .collect();
         eprintln!("{name}, {solid}: {} wrong, {unclear} unclear of {RAYS}", wrong.len());
-        let is_too_many = wrong.len() as f64 > MOST_WRONG * RAYS as f64 || unclear > RAYS / 10;
+        let is_too_many = wrong.len() as f64 > MAX_WRONG * RAYS as f64 || unclear > RAYS / 10;
         is_too_many.then(|| format!("{name}, {solid}: {} wrong, {unclear} unclear: {wrong:#?}", wrong.len()))
     }));
 }

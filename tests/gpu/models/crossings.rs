@@ -17,13 +17,13 @@ use crate::device::gpu;
 const RAYS: usize = 12_000;
 
 /// The share of rays that may meet what is not there, or miss what is.
-const MOST_WRONG: f64 = 1e-4;
+const MAX_WRONG: f64 = 1e-4;
 /// From the crossing to the triangle, of the distance, or of the model's radius if that is more.
 const SURFACE_TOLERANCE: f64 = 2e-5;
 /// Radians, between the normals of facets.
 const NORMAL_TOLERANCE: f64 = 1e-3;
 /// The share of rays that may meet either side of an edge, since they are aimed at it or go along it.
-const MOST_UNCLEAR: f64 = 0.15;
+const MAX_UNCLEAR: f64 = 0.15;
 
 #[test]
 fn rays_meet_the_triangles_that_are_there() {
@@ -69,13 +69,13 @@ fn check(gpu: &Gpu, name: &'static str) -> Vec<String> {
         total.unclear
     );
     let mut problems = vec![];
-    let most = (MOST_WRONG * RAYS as f64) as usize;
+    let most = (MAX_WRONG * RAYS as f64) as usize;
     for (what, rays) in [("are wrong", &total.wrong), ("have a wrong normal", &total.turned)] {
         if rays.len() > most {
             problems.push(format!("{name}: {} of {RAYS} rays {what}, such as {}", rays.len(), rays[0]));
         }
     }
-    if total.unclear as f64 > MOST_UNCLEAR * RAYS as f64 {
+    if total.unclear as f64 > MAX_UNCLEAR * RAYS as f64 {
         problems.push(format!("{name}: {} of {RAYS} rays are unclear", total.unclear));
     }
     if total.met < RAYS / 4 {

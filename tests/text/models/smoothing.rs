@@ -9,7 +9,7 @@ use raytoy::assets::Corner;
 use super::reading_obj::faces;
 use super::shapes;
 
-fn facet(triangle: &[Corner; 3]) -> Vec3 {
+fn geometric_normal(triangle: &[Corner; 3]) -> Vec3 {
     let [a, b, c] = triangle.map(|corner| corner.position);
     (b - a).cross(c - a).normalize()
 }
@@ -17,7 +17,8 @@ fn facet(triangle: &[Corner; 3]) -> Vec3 {
 /// The largest angle between the normal of a corner and that of its triangle, degrees.
 fn bend(text: &str) -> f32 {
     let found = faces(text.as_bytes());
-    let angles = found.iter().flat_map(|t| t.map(|c| c.normal.angle_between(facet(t)).to_degrees()));
+    let angles =
+        found.iter().flat_map(|t| t.map(|c| c.normal.angle_between(geometric_normal(t)).to_degrees()));
     angles.fold(0.0, f32::max)
 }
 
@@ -76,5 +77,5 @@ fn smoothing_is_as_the_file_says() {
 #[test]
 fn a_face_that_lies_on_the_back_of_another_bends_neither() {
     let found = faces(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n");
-    assert!(found.iter().all(|t| t.iter().all(|corner| corner.normal.distance(facet(t)) < 1e-6)));
+    assert!(found.iter().all(|t| t.iter().all(|corner| corner.normal.distance(geometric_normal(t)) < 1e-6)));
 }

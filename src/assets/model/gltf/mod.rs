@@ -18,7 +18,7 @@ use self::corners::{Mover, Placing};
 use self::document::{Attributes, Document, Node, Primitive, at};
 use self::elements::{Elements, Kind};
 use super::found::{Face, Findings, Smoothing, counted, too_many};
-use super::{Beside, MOST_TRIANGLES};
+use super::{Beside, MAX_TRIANGLES};
 
 /// # Errors
 /// Why it is no such file, in words that follow its name.
@@ -86,7 +86,7 @@ impl<'a> Reader<'a> {
         let indices = primitive.indices.map(|index| self.elements(index, Kind::Scalar)).transpose()?;
         let mode = primitive.mode.unwrap_or(TRIANGLES);
         let faces = faces(mode, indices.as_ref().map_or(corners.positions.count, |indices| indices.count));
-        if faces.saturating_mul(movers.len()) > MOST_TRIANGLES - findings.faces.len() {
+        if faces.saturating_mul(movers.len()) > MAX_TRIANGLES - findings.faces.len() {
             return Err(too_many());
         }
         // As the format says (glTF 2.0, 3.7.2.1).

@@ -5,7 +5,7 @@ use glam::{DAffine3, DMat4, DQuat, DVec3, Quat, Vec3};
 use super::Reader;
 use super::document::{Document, Instancing, Node, Skin, at};
 use super::elements::Kind;
-use crate::assets::model::MOST_TRIANGLES;
+use crate::assets::model::MAX_TRIANGLES;
 use crate::assets::model::found::too_many;
 
 /// The matrix of each node to the scene.
@@ -79,7 +79,7 @@ impl Reader<'_> {
         let scales = of("SCALE", Kind::Vec3)?;
         let counts = [&translations, &rotations, &scales].map(|all| all.as_ref().map(|all| all.count));
         let count = counts.into_iter().flatten().min().unwrap_or(1);
-        if count > MOST_TRIANGLES {
+        if count > MAX_TRIANGLES {
             return Err(too_many());
         }
         let instance = |i: usize| {

@@ -110,9 +110,9 @@ fn number(word: &[u8]) -> Option<f64> {
 
 /// What of `words` a message shows. They may be in any encoding.
 fn shown(words: &[u8]) -> String {
-    const MOST: usize = 40;
+    const MAX_LETTERS: usize = 40;
     let words = String::from_utf8_lossy(words);
-    let start: String = words.chars().take(MOST).collect();
+    let start: String = words.chars().take(MAX_LETTERS).collect();
     let end = if start.len() < words.len() { "…" } else { "" };
     start.replace(char::is_control, " ") + end
 }

@@ -6,7 +6,7 @@ use glam::{DVec3, Vec2, Vec3};
 
 use super::statements::{Statement, statements};
 use super::{in_line, number, shown, text};
-use crate::assets::model::MOST_COORDINATE;
+use crate::assets::model::MAX_COORDINATE;
 use crate::assets::model::found::Found;
 
 /// Positions, uv and normals. One that is no number keeps its place: the others keep theirs.
@@ -31,7 +31,7 @@ impl Values {
             match statement.keyword {
                 b"v" => {
                     let position = numbers(&statement, 3).map(DVec3::from);
-                    let is_near = |p: &DVec3| p.abs().max_element() <= MOST_COORDINATE && !p.is_nan();
+                    let is_near = |p: &DVec3| p.abs().max_element() <= MAX_COORDINATE && !p.is_nan();
                     if position.filter(is_near).is_none() && values.why_broken.is_none() {
                         values.why_broken = Some(in_line(statement.line, unlike(&statement)));
                     }
@@ -88,7 +88,7 @@ impl Values {
 
     /// Why the position of `corner` is none, if so.
     pub fn why_broken(&self, corner: &Found) -> Option<&String> {
-        let is_broken = corner.position.is_nan() || corner.position.abs().max_element() > MOST_COORDINATE;
+        let is_broken = corner.position.is_nan() || corner.position.abs().max_element() > MAX_COORDINATE;
         self.why_broken.as_ref().filter(|_| is_broken)
     }
 }
@@ -112,5 +112,5 @@ fn unlike_corner(word: &[u8]) -> String {
 }
 
 fn unlike(statement: &Statement<'_>) -> String {
-    format!("expected 3 numbers up to {MOST_COORDINATE:e}, found `{}`", statement.shown())
+    format!("expected 3 numbers up to {MAX_COORDINATE:e}, found `{}`", statement.shown())
 }
