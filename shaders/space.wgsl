@@ -35,7 +35,8 @@ fn rayInto(space: Space, ray: Ray) -> Ray {
 
 /// A surface at `p` of an object that stands in the world as its shape describes it.
 fn placed(at: Surface, p: vec3f) -> Placed {
-    return Placed(at, at.normal, at.geometric_normal, 1.0, dot(at.position - p, at.geometric_normal), at.rise);
+    let gap = dot(at.position - p, at.geometric_normal);
+    return Placed(at, at.normal, at.geometric_normal, 1.0, gap, at.rise);
 }
 
 /// A surface of a moved object. A normal goes back by the transpose of the map that points come by.

@@ -46,7 +46,10 @@ fn surfaceView(hit: Hit, met: Placed, n: vec3f, v: vec3f, albedo: vec3f, visibil
         case VIEW_UV: { return vec3f(fract(met.at.uv), 0.0); }
         case VIEW_MATERIAL: { return albedo; }
         case VIEW_SHADOW: { return vec3f(visibility); }
-        case VIEW_FACING: { return select(FRONT, BACK, dot(met.geometric_normal, v) < 0.0) * (0.3 + 0.7 * dot(n, v)); }
+        case VIEW_FACING: {
+            let side = select(FRONT, BACK, dot(met.geometric_normal, v) < 0.0);
+            return side * (0.3 + 0.7 * dot(n, v));
+        }
         case VIEW_VALUE: { return vec3f(measuredAt(hit, met.at, dot(n, v))); }
         case VIEW_PLACE: { return vec3f(met.at.uv, 0.0); }
         case VIEW_OUTWARD: { return met.normal; }

@@ -32,7 +32,7 @@ impl Compiled {
         scene.models.clone_from(&self.scene.models);
         scene.textures.clone_from(&self.scene.textures);
         scene.materials.clone_from(&self.scene.materials);
-        scene.objects.iter_mut().for_each(|object| object.material = material);
+        scene.primitives.iter_mut().for_each(|object| object.material = material);
         self.with_scene(scene, self.source.mode)
     }
 }

@@ -36,7 +36,7 @@ impl Stats {
             width: size[0],
             height: size[1],
             samples,
-            objects: compiled.scene.objects.len(),
+            objects: compiled.scene.primitives.len(),
             wgsl_bytes: compiled.source.text().len(),
             parse_ms: ms(compiled.times.parse),
             resolve_ms: ms(compiled.times.resolve),

@@ -24,17 +24,17 @@ impl Compiled {
         self.with_source(self.scene.clone(), wgsl::generate_plain(&self.scene))
     }
 
-    /// The same scene in which only the body that has this one of its objects is seen and casts a shadow.
-    /// Lights, camera and background stay, and so do all indices.
+    /// The scene with one object alone: the one that has this primitive is seen and casts a shadow. Lights,
+    /// camera and background stay, and so do all indices.
     ///
     /// # Errors
     /// Where naga refuses that text although it took the whole scene's, which would be a mistake of ours.
-    pub fn isolated(&self, object: usize) -> Result<Self, Diagnostic> {
+    pub fn isolated(&self, primitive: usize) -> Result<Self, Diagnostic> {
         let mut scene = self.scene.clone();
-        for body in &mut scene.bodies {
-            let is_chosen = body.solid.has(object);
-            body.visible = is_chosen;
-            body.casts_shadow = is_chosen;
+        for object in &mut scene.objects {
+            let is_chosen = object.solid.has(primitive);
+            object.visible = is_chosen;
+            object.casts_shadow = is_chosen;
         }
         self.with_scene(scene, self.source.mode)
     }

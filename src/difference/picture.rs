@@ -82,7 +82,7 @@ impl PictureDifference {
             count as f64 / differing.len().max(1) as f64
         };
         let names =
-            compiled.scene.objects.iter().enumerate().map(|(i, object)| (object.name.clone(), share(i)));
+            compiled.scene.primitives.iter().enumerate().map(|(i, object)| (object.name.clone(), share(i)));
         let mut shares: Vec<(String, f64)> = names.filter(|(_, share)| *share >= 0.1).collect();
         shares.sort_by(|a, b| b.1.total_cmp(&a.1));
         shares

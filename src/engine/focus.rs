@@ -1,4 +1,4 @@
-//! What of a scene is to be seen: all, one body, or one material on a stage.
+//! The part of a scene that is to be seen: all of it, one object, or one material on a stage.
 
 use crate::compile::Compiled;
 use crate::diagnostic::Diagnostic;
@@ -8,7 +8,7 @@ use crate::diagnostic::Diagnostic;
 pub enum Focus {
     #[default]
     All,
-    /// The body with the object of this name.
+    /// The object that has the primitive of this name.
     Object(String),
     /// The material of this name, on a stage.
     Material(String),
@@ -24,7 +24,7 @@ impl Focus {
         let part = match self {
             Focus::All => None,
             Focus::Object(name) => {
-                scene.objects.iter().position(|o| o.name == *name).map(|i| compiled.isolated(i))
+                scene.primitives.iter().position(|o| o.name == *name).map(|i| compiled.isolated(i))
             }
             Focus::Material(name) => {
                 scene.materials.iter().position(|m| m.name == *name).map(|i| compiled.on_stage(i))

@@ -29,7 +29,7 @@ pub struct FrameUniforms {
 }
 
 impl FrameUniforms {
-    /// `casters` is how many bodies of the scene cast shadows.
+    /// `casters` is how many objects of the scene cast shadows.
     pub fn new(
         moment: &Moment,
         render: &ir::Render,

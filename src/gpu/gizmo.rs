@@ -1,4 +1,4 @@
-//! Lines that stand for what a camera does not see: lights, its own target, the boxes around bodies.
+//! Lines that stand for what a camera does not see: lights, its own target, the boxes around objects.
 //!
 //! In: the scene, and the camera that looks at it. Out: [`Line`]s in world space. Signs without a size of
 //! their own are as large on the screen from everywhere.
@@ -50,9 +50,9 @@ pub fn camera_target(camera: &Camera) -> Vec<Line> {
     cross(target, sign_size(target, camera)).map(|ends| line(ends, TARGET)).into()
 }
 
-/// The twelve edges of each box that the author has drawn around a body.
+/// The twelve edges of each box that the author has drawn around an object.
 pub fn bounds(scene: &Scene) -> Vec<Line> {
-    let boxes = scene.bodies.iter().filter_map(|body| Some((body.bounds?, body.space.as_ref())));
+    let boxes = scene.objects.iter().filter_map(|object| Some((object.bounds?, object.space.as_ref())));
     boxes.flat_map(|((low, high), space)| box_edges(low, high, to_world(space))).collect()
 }
 

@@ -21,7 +21,7 @@ pub struct Pipeline {
     pub(super) numbers: Option<wgpu::Buffer>,
     pub(super) assets: Option<Assets>,
     pub(super) guard: Option<Guard>,
-    /// Bodies of the scene that cast shadows: they are text, so an upload does not change them.
+    /// Objects of the scene that cast shadows: they are text, so an upload does not change them.
     pub(super) casters: u32,
     /// Whether it draws debug views, too.
     pub has_views: bool,

@@ -17,7 +17,7 @@ pub use light::{Light, LightKind};
 pub use measure::Measure;
 pub use render::{MAX_BOUNCES, Render, ToneMap, Transfer};
 pub use resolve::{default_name, placed, resolve};
-pub use solid::{Body, Combination, Object, Operation, Solid, Space};
+pub use solid::{Csg, CsgOperation, Object, Primitive, Solid, Space};
 pub use surface::{
     Bump, Call, Fit, Interpolation, Material, Picture, Property, Ramp, Texture, Triplanar, Value,
 };
@@ -38,9 +38,9 @@ pub struct Scene {
     pub models: Vec<Model>,
     pub textures: Vec<Texture>,
     pub materials: Vec<Material>,
+    pub primitives: Vec<Primitive>,
+    /// What rays are tested against: each primitive is in one of them, alone or as a part.
     pub objects: Vec<Object>,
-    /// What rays are tested against: each object is in one of them, alone or as a part.
-    pub bodies: Vec<Body>,
     pub render: Render,
     /// The number that the shader is to compute besides, for a debug view. No scene says so itself.
     pub measure: Option<Measure>,
@@ -61,9 +61,9 @@ impl Scene {
         self.images == other.images && self.models == other.models
     }
 
-    /// How many bodies cast shadows.
+    /// How many objects cast shadows.
     pub fn casters(&self) -> u32 {
-        self.bodies.iter().filter(|body| body.casts_shadow).count() as u32
+        self.objects.iter().filter(|object| object.casts_shadow).count() as u32
     }
 
     /// Whether any material lets light through.

@@ -1,6 +1,6 @@
 //! Shapes, and solids made of them: constructive solid geometry (CSG).
 //!
-//! In: shapes with their arguments. Out: a [`Body`] for each thing that rays are tested against.
+//! In: shapes with their arguments. Out: an [`Object`] for each thing that rays are tested against.
 
 use std::sync::Arc;
 
@@ -9,12 +9,12 @@ use glam::Vec3;
 use super::Value;
 use crate::library::Function;
 
-/// The most parts of a combination, and of a group of them: drivers compile more at once slowly.
+/// The most parts of a CSG solid, and of a group of them: drivers compile more at once slowly.
 const MAX_PARTS: usize = 16;
 
 /// A shape with a surface of its own.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Object {
+pub struct Primitive {
     pub name: String,
     /// The author's words, on one line.
     pub caption: String,
@@ -34,11 +34,11 @@ pub type Space = [[f32; 4]; 3];
 
 /// What a ray meets as one.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Body {
+pub struct Object {
     pub solid: Solid,
     /// Where it stands, if it was moved.
     pub space: Option<Space>,
-    /// Corners of a box in the body's space that holds all of it.
+    /// Corners of a box in the object's space that holds all of it.
     pub bounds: Option<(Vec3, Vec3)>,
     pub visible: bool,
     pub casts_shadow: bool,
@@ -46,24 +46,24 @@ pub struct Body {
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Solid {
-    /// One of [`super::Scene::objects`].
-    Object(usize),
-    Combination(Combination),
+    /// One of [`super::Scene::primitives`].
+    Primitive(usize),
+    Csg(Csg),
 }
 
 /// A solid made of solids.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Combination {
+pub struct Csg {
     pub name: String,
     /// The author's words, on one line, without the parts.
     pub caption: String,
-    pub operation: Operation,
+    pub operation: CsgOperation,
     /// At least one.
     pub parts: Vec<Solid>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Operation {
+pub enum CsgOperation {
     /// What is in any part.
     Union,
     /// What is in every part.
@@ -72,7 +72,7 @@ pub enum Operation {
     Difference,
 }
 
-impl Object {
+impl Primitive {
     /// Whether a texture takes part in its shape.
     pub fn is_textured(&self) -> bool {
         self.arguments.iter().any(|argument| !matches!(argument, Value::Const(_) | Value::Model(_)))
@@ -80,23 +80,24 @@ impl Object {
 }
 
 impl Solid {
-    /// Whether it is or has this one of [`super::Scene::objects`].
+    /// Whether it is or has this one of [`super::Scene::primitives`].
     pub fn has(&self, object: usize) -> bool {
         match self {
-            Solid::Object(index) => *index == object,
-            Solid::Combination(combination) => combination.parts.iter().any(|part| part.has(object)),
+            Solid::Primitive(index) => *index == object,
+            Solid::Csg(csg) => csg.parts.iter().any(|part| part.has(object)),
         }
     }
 }
 
-impl Combination {
-    /// The same solid, in which many parts are combinations of a few.
+impl Csg {
+    /// The same solid, in which many parts are solids of a few.
     pub fn in_groups(mut self) -> Self {
         let name = self.name.clone();
-        if self.parts.len() > MAX_PARTS && self.operation == Operation::Difference {
+        if self.parts.len() > MAX_PARTS && self.operation == CsgOperation::Difference {
             // What is in none of many is not in their union.
-            let cut = group(format!("{name}, what is cut away"), Operation::Union, self.parts.split_off(1));
-            self.parts.push(Solid::Combination(cut.in_groups()));
+            let cut =
+                group(format!("{name}, what is cut away"), CsgOperation::Union, self.parts.split_off(1));
+            self.parts.push(Solid::Csg(cut.in_groups()));
         }
         let mut width = 1;
         while self.parts.len() > MAX_PARTS {
@@ -108,13 +109,13 @@ impl Combination {
                 }
                 let few = parts.by_ref().take(MAX_PARTS).collect();
                 let name = format!("{name}, parts {first} to {}", first + width - 1);
-                self.parts.push(Solid::Combination(group(name, self.operation, few)));
+                self.parts.push(Solid::Csg(group(name, self.operation, few)));
             }
         }
         self
     }
 }
 
-fn group(name: String, operation: Operation, parts: Vec<Solid>) -> Combination {
-    Combination { name, caption: format!("{operation:?}"), operation, parts }
+fn group(name: String, operation: CsgOperation, parts: Vec<Solid>) -> Csg {
+    Csg { name, caption: format!("{operation:?}"), operation, parts }
 }

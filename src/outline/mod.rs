@@ -64,7 +64,7 @@ pub enum NodeKind {
     /// A shape.
     Object,
     /// A solid made of its nodes.
-    Combination,
+    Csg,
     Render,
 }
 

@@ -21,7 +21,7 @@ impl Writer<'_> {
         nodes.collect()
     }
 
-    /// A shape or a combination, which is at `index` in what is called `around`; `shapes` are those before
+    /// A primitive or a CSG solid, which is at `index` in what is called `around`; `shapes` are those before
     /// it.
     fn solid(&self, item: &Value, path: Path, around: &str, index: usize, shapes: &mut usize) -> Node {
         let shape = name(item).unwrap_or_default();
@@ -30,7 +30,7 @@ impl Writer<'_> {
             _ => default_name(around, shape, index),
         };
         let operation = OPERATIONS.iter().find(|(group, _)| group.name == shape).map(|(group, _)| group);
-        let kind = if operation.is_some() { NodeKind::Combination } else { NodeKind::Object };
+        let kind = if operation.is_some() { NodeKind::Csg } else { NodeKind::Object };
         let mut node = Node::new(kind, path.clone(), label.clone(), Some(item));
         node.names = self.names.parts.clone();
         match operation {

@@ -18,7 +18,7 @@ pub fn of(picture: &Picture) -> Vec<(&'static str, String)> {
         ("generate", ms(times.generate)),
         ("naga", ms(times.naga)),
         ("pipeline", ms(picture.pipeline_time)),
-        ("objects", format!("{}", picture.compiled.scene.objects.len())),
+        ("objects", format!("{}", picture.compiled.scene.primitives.len())),
         ("shader", format!("{:.1} KB", picture.compiled.source.text().len() as f64 / 1e3)),
     ]
 }

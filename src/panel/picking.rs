@@ -126,7 +126,7 @@ impl Panel {
 
     fn say(&mut self, ui: &mut Ui, area: egui::Rect, seen: &Seen) {
         let Some(compiled) = &self.compiled else { return };
-        let Some(object) = compiled.scene.objects.get(seen.object as usize) else { return };
+        let Some(object) = compiled.scene.primitives.get(seen.object as usize) else { return };
         let material = &compiled.scene.materials[object.material].name;
         let line = self.line_of_choice();
         let text = format!(
@@ -183,10 +183,10 @@ impl Panel {
         let scene = &compiled.scene;
         match node.kind {
             NodeKind::Material => {
-                let has_it = |i: &usize| scene.materials[scene.objects[*i].material].name == node.label;
-                (0..scene.objects.len()).filter(has_it).map(|i| i as u32).collect()
+                let has_it = |i: &usize| scene.materials[scene.primitives[*i].material].name == node.label;
+                (0..scene.primitives.len()).filter(has_it).map(|i| i as u32).collect()
             }
-            NodeKind::Object | NodeKind::Combination => objects_of(node),
+            NodeKind::Object | NodeKind::Csg => objects_of(node),
             _ => vec![],
         }
     }

@@ -127,7 +127,7 @@ impl Tree<'_> {
         if response.clicked() {
             *self.selected = Some(node.path.clone());
         }
-        let is_item = matches!(node.kind, NodeKind::Light | NodeKind::Object | NodeKind::Combination)
+        let is_item = matches!(node.kind, NodeKind::Light | NodeKind::Object | NodeKind::Csg)
             || matches!(node.kind, NodeKind::Texture | NodeKind::Material);
         if is_item {
             response.context_menu(|ui| self.item_menu(ui, node, outline));
@@ -216,7 +216,7 @@ fn color(kind: NodeKind) -> Color32 {
         NodeKind::Textures | NodeKind::Texture => Color32::from_rgb(200, 130, 230),
         NodeKind::Materials | NodeKind::Material => Color32::from_rgb(240, 130, 100),
         NodeKind::Objects | NodeKind::Object => Color32::from_rgb(120, 210, 140),
-        NodeKind::Combination => Color32::from_rgb(90, 180, 170),
+        NodeKind::Csg => Color32::from_rgb(90, 180, 170),
         NodeKind::Render => Color32::from_gray(150),
     }
 }

@@ -15,9 +15,9 @@ use crate::library::Const;
 pub fn generate_alone(scene: &Scene, host: Host, settings: &[(&str, Const)]) -> Source {
     let scene = &Scene { measure: None, ..scene.clone() };
     let mut writer = Writer::new(scene, Mode::Baked);
-    let body = writer.scene_text();
+    let block = writer.scene_text();
     let mut text = writer.contents();
-    text.extend(body);
+    text.extend(block);
     text.extend(display(&scene.render, &mut writer.numbers));
     if host == Host::Shadertoy {
         text.extend(preset(settings, &mut writer.numbers));

@@ -2,8 +2,8 @@
 
 use super::Writer;
 use super::code::{self, Code, Lines};
-use super::objects::WrittenObject;
-use super::values::Body;
+use super::primitives::WrittenPrimitive;
+use super::values::Block;
 use crate::ir::Value;
 use crate::library::Function;
 
@@ -18,16 +18,16 @@ struct Field {
 
 impl Writer<'_> {
     /// For each such shape what the others bring along: a function of a ray, and one of a point.
-    pub fn marches(&mut self, objects: &[WrittenObject]) -> Lines {
+    pub fn marches(&mut self, primitives: &[WrittenPrimitive]) -> Lines {
         let mut lines = Lines::default();
         let mut fields: Vec<Field> = vec![];
-        for (index, object) in self.scene.objects.iter().enumerate() {
-            if object.is_textured() {
+        for (index, primitive) in self.scene.primitives.iter().enumerate() {
+            if primitive.is_textured() {
                 let name = self.field_names[index].clone();
-                lines.extend(self.textured(index, &name, &objects[index]));
+                lines.extend(self.textured(index, &name, &primitives[index]));
                 fields.push(Field { name, parameters: vec![], arguments: vec![], has_surface: false });
-            } else if object.shape.traits.is_distance {
-                let field = Field::of(&object.shape);
+            } else if primitive.shape.traits.is_distance {
+                let field = Field::of(&primitive.shape);
                 if fields.iter().all(|known| known.name != field.name) {
                     fields.push(field);
                 }
@@ -43,30 +43,30 @@ impl Writer<'_> {
     }
 
     /// The distance to an object, with the textures that it takes, and the box that holds it.
-    fn textured(&mut self, index: usize, name: &str, written: &WrittenObject) -> Lines {
+    fn textured(&mut self, index: usize, name: &str, written: &WrittenPrimitive) -> Lines {
         let scene = self.scene;
-        let object = &scene.objects[index];
-        let mut body = Body::of(&object.arguments, scene);
+        let primitive = &scene.primitives[index];
+        let mut block = Block::of(&primitive.arguments, scene);
         let mut arguments = vec![Code::atom("p")];
-        for (argument, constant) in object.arguments.iter().zip(&written.arguments) {
+        for (argument, constant) in primitive.arguments.iter().zip(&written.arguments) {
             arguments.push(match argument {
                 Value::Const(_) | Value::Model(_) => constant.clone(),
-                varying => self.value(varying, "at", &mut body, 4),
+                varying => self.value(varying, "at", &mut block, 4),
             });
         }
-        let shape = &object.shape.wgsl_name;
+        let shape = &primitive.shape.wgsl_name;
         let mut lines = Lines::default();
         lines.push("");
-        let doc = format!("/// The distance to \"{}\", with the textures that shape it.", object.name);
+        let doc = format!("/// The distance to \"{}\", with the textures that shape it.", primitive.name);
         lines.push(code::one_line(&doc));
         lines.push(format!("fn {name}Distance(p: vec3f) -> f32 {{"));
-        let place = match object.shape.traits.places_textures {
+        let place = match primitive.shape.traits.places_textures {
             true => format!("{shape}TexturePoint(p)"),
             false => "p".into(),
         };
         lines.push(format!("    let place = {place};"));
         lines.push("    let at = surface(place, vec3f(0.0, 1.0, 0.0), place.xz);");
-        lines.extend(body.lines);
+        lines.extend(block.lines);
         lines.statement(4, "return ", &Code::call(format!("{shape}Distance"), arguments), ";");
         lines.push("}");
         lines.push("");

@@ -3,7 +3,7 @@
 use super::Writer;
 use super::answer::Answer;
 use super::code::{Code, Lines};
-use super::values::Body;
+use super::values::Block;
 use crate::ir::{Material, Property, Value};
 use crate::library::Const;
 
@@ -11,7 +11,7 @@ impl Writer<'_> {
     pub fn materials(&mut self) -> Lines {
         let mut lines = self.material_of_object();
         for (index, material) in self.scene.materials.iter().enumerate() {
-            if self.scene.objects.iter().any(|o| o.material == index) {
+            if self.scene.primitives.iter().any(|o| o.material == index) {
                 lines.extend(self.material(index, material));
             }
         }
@@ -43,7 +43,7 @@ impl Writer<'_> {
 
     /// The objects whose material `is` the wanted one, as the selector of a `case`.
     pub fn cases(&self, is: impl Fn(usize) -> bool) -> Option<Code> {
-        let objects = self.scene.objects.iter().zip(&self.object_names);
+        let objects = self.scene.primitives.iter().zip(&self.object_names);
         let mut names: Vec<Code> =
             objects.filter(|(o, _)| is(o.material)).map(|(_, name)| Code::atom(name)).collect();
         match names.len() {
@@ -54,11 +54,11 @@ impl Writer<'_> {
     }
 
     fn material(&mut self, index: usize, material: &Material) -> Lines {
-        let mut body = Body::of(material.properties.iter().map(|(_, value)| value), self.scene);
+        let mut block = Block::of(material.properties.iter().map(|(_, value)| value), self.scene);
         let mut settings = vec![];
         let mut color = Code::call("vec3f", [Code::atom("0.8")]);
         for (property, value) in &material.properties {
-            let code = self.value(value, "at", &mut body, 4);
+            let code = self.value(value, "at", &mut block, 4);
             match property {
                 Property::Color => color = code,
                 other => settings.push((field(*other), code)),
@@ -67,7 +67,7 @@ impl Writer<'_> {
         let mut lines = Lines::default();
         lines.push("");
         lines.push(format!("fn {}(at: Surface) -> Material {{", self.material_names[index]));
-        lines.extend(body.lines);
+        lines.extend(block.lines);
         let matte = Code::call("matte", [color]);
         if settings.is_empty() {
             lines.statement(4, "return ", &matte, ";");
@@ -126,11 +126,11 @@ impl Writer<'_> {
         for (index, material) in scene.materials.iter().enumerate() {
             let Some(bump) = &material.bump else { continue };
             let Some(objects) = self.cases(|m| m == index) else { continue };
-            let mut body = Body::of([&bump.height], scene);
+            let mut block = Block::of([&bump.height], scene);
             let strength = self.numbers.constant(Const::F32(bump.strength));
-            let height = self.value(&bump.height, "at", &mut body, 12);
+            let height = self.value(&bump.height, "at", &mut block, 12);
             cases.statement(8, "case ", &objects, ": {");
-            cases.extend(body.lines);
+            cases.extend(block.lines);
             cases.statement(12, "let height = ", &height, ";");
             cases.statement(12, &format!("{}height * ", answer.give()), &strength, ";");
             cases.push("        }");
@@ -143,8 +143,8 @@ impl Writer<'_> {
 
     fn background(&mut self) -> Lines {
         let scene = self.scene;
-        let mut body = Body::of([&scene.background], scene);
-        let color = self.value(&scene.background, "at", &mut body, 4);
+        let mut block = Block::of([&scene.background], scene);
+        let color = self.value(&scene.background, "at", &mut block, 4);
         let ambient = self.numbers.constant(Const::Vec3(scene.ambient));
         let mut lines = Lines::default();
         lines.push("");
@@ -153,7 +153,7 @@ impl Writer<'_> {
         if !matches!(scene.background, Value::Const(_)) {
             lines.push("    let at = skyPoint(direction);");
         }
-        lines.extend(body.lines);
+        lines.extend(block.lines);
         lines.statement(4, "return ", &color, ";");
         lines.push("}");
         lines.push("");

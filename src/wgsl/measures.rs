@@ -3,7 +3,7 @@
 use super::Writer;
 use super::answer::Answer;
 use super::code::{Code, Lines};
-use super::values::Body;
+use super::values::Block;
 use crate::ir::{Measure, Property, Value};
 use crate::library::{Const, Type};
 
@@ -23,9 +23,9 @@ impl Writer<'_> {
             Measure::V => lines.push("    return at.uv.y;"),
             Measure::Footprint => lines.push("    return at.footprint;"),
             Measure::Texture(index) => {
-                let mut body = Body::of([&Value::Texture(index)], self.scene);
-                let number = self.number(&Value::Texture(index), "at", &mut body, 4);
-                lines.extend(body.lines);
+                let mut block = Block::of([&Value::Texture(index)], self.scene);
+                let number = self.number(&Value::Texture(index), "at", &mut block, 4);
+                lines.extend(block.lines);
                 lines.statement(4, "return ", &number, ";");
             }
         }
@@ -41,13 +41,13 @@ impl Writer<'_> {
         for (index, material) in scene.materials.iter().enumerate() {
             let Some(objects) = self.cases(|m| m == index) else { continue };
             let color = material.properties.iter().find(|(property, _)| *property == Property::Color);
-            let mut body = Body::of(color.map(|(_, color)| color), scene);
+            let mut block = Block::of(color.map(|(_, color)| color), scene);
             let number = match color {
-                Some((_, color)) => self.number(color, "at", &mut body, 12),
+                Some((_, color)) => self.number(color, "at", &mut block, 12),
                 None => self.numbers.constant(Const::F32(0.8)),
             };
             cases.statement(8, "case ", &objects, ": {");
-            cases.extend(body.lines);
+            cases.extend(block.lines);
             cases.statement(12, &answer.give(), &number, ";");
             cases.push("        }");
         }
@@ -56,19 +56,19 @@ impl Writer<'_> {
     }
 
     /// What `value` is made of, before it is a color.
-    fn number(&mut self, value: &Value, at: &str, body: &mut Body, indent: usize) -> Code {
+    fn number(&mut self, value: &Value, at: &str, block: &mut Block, indent: usize) -> Code {
         let scene = self.scene;
         match value {
             Value::Texture(index) if scene.textures[*index].ty == Type::F32 => {
-                self.value(value, at, body, indent)
+                self.value(value, at, block, indent)
             }
-            Value::Texture(index) => self.number(&scene.textures[*index].value, at, body, indent),
+            Value::Texture(index) => self.number(&scene.textures[*index].value, at, block, indent),
             Value::Ramp(ramp) => {
-                let at = self.moved(ramp.at.as_deref(), at, [&ramp.by], body, indent);
-                self.value(&ramp.by, &at, body, indent)
+                let at = self.moved(ramp.at.as_deref(), at, [&ramp.by], block, indent);
+                self.value(&ramp.by, &at, block, indent)
             }
-            Value::Grey(number) => self.value(number, at, body, indent),
-            color => Code::call("luminance", [self.value(color, at, body, indent)]),
+            Value::Grey(number) => self.value(number, at, block, indent),
+            color => Code::call("luminance", [self.value(color, at, block, indent)]),
         }
     }
 }

@@ -4,9 +4,8 @@
 
 mod alone;
 mod answer;
-mod bodies;
 mod code;
-mod combinations;
+mod csg;
 mod distances;
 mod lights;
 mod materials;
@@ -14,6 +13,7 @@ mod measures;
 mod names;
 mod numbers;
 mod objects;
+mod primitives;
 mod sections;
 mod sharing;
 mod values;
@@ -121,10 +121,10 @@ pub fn generate_plain(scene: &ir::Scene) -> Source {
 
 fn generate_for(host: Host, scene: &ir::Scene, mode: Mode) -> Source {
     let mut writer = Writer::new(scene, mode);
-    let body = writer.scene_text();
+    let block = writer.scene_text();
     let mut text = writer.title();
     text.extend(writer.contents());
-    text.extend(body);
+    text.extend(block);
     writer.sections(text, host)
 }
 
@@ -139,8 +139,8 @@ struct Writer<'a> {
     field_names: Vec<String>,
     /// Constants of the models: `MODEL_KNOT`.
     model_names: Vec<String>,
-    /// Functions of the combinations, by their names.
-    combination_names: BTreeMap<String, String>,
+    /// Functions of CSG solids, by their names.
+    csg_names: BTreeMap<String, String>,
     /// Functions of the materials and textures.
     material_names: Vec<String>,
     texture_names: Vec<String>,
@@ -151,7 +151,7 @@ struct Writer<'a> {
 impl<'a> Writer<'a> {
     fn new(scene: &'a ir::Scene, mode: Mode) -> Self {
         let mut names = Names::default();
-        let object_names = scene.objects.iter().map(|o| names.constant("OBJECT", &o.name)).collect();
+        let object_names = scene.primitives.iter().map(|o| names.constant("OBJECT", &o.name)).collect();
         let material_names = scene.materials.iter().map(|m| names.function(&m.name, "Material")).collect();
         let texture_names = scene.textures.iter().map(|t| names.function(&t.name, "Texture")).collect();
         Self {
@@ -160,8 +160,8 @@ impl<'a> Writer<'a> {
             numbers: Numbers::new(mode),
             object_names,
             model_names: scene.models.iter().map(|m| names.constant("MODEL", stem(&m.file))).collect(),
-            field_names: scene.objects.iter().map(|o| names.function(&o.name, "Field")).collect(),
-            combination_names: combinations::function_names(scene, &mut names),
+            field_names: scene.primitives.iter().map(|o| names.function(&o.name, "Field")).collect(),
+            csg_names: csg::function_names(scene, &mut names),
             material_names,
             texture_names,
             used: vec![],
@@ -170,12 +170,12 @@ impl<'a> Writer<'a> {
 
     /// All of the scene's own section but its head. What it uses is known only afterwards.
     fn scene_text(&mut self) -> Lines {
-        let bodies = self.bodies();
+        let objects = self.objects();
         let materials = self.materials();
         let measured = self.measured();
         let lights = self.lights();
         let mut text = self.constants();
-        text.extend(bodies);
+        text.extend(objects);
         text.extend(self.images());
         text.extend(materials);
         text.extend(measured);
@@ -219,7 +219,7 @@ impl<'a> Writer<'a> {
     /// What the scene is made of.
     fn contents(&self) -> Lines {
         let mut lines = Lines::default();
-        let names: Vec<&str> = self.scene.objects.iter().map(|o| o.name.as_str()).collect();
+        let names: Vec<&str> = self.scene.primitives.iter().map(|o| o.name.as_str()).collect();
         lines.extend(code::list("//   objects   ", &names));
         let kind = |shape: bool| {
             let functions =

@@ -1,112 +1,157 @@
-//! Objects: their crossings as calls, and `surfaceAt`.
+//! `rayTraceScene`, and its sibling for shadows.
 
 use super::Writer;
-use super::answer::Answer;
 use super::code::{Code, Lines};
-use crate::ir::{Object, Space, Value};
+use super::primitives::{MAX_PER_FUNCTION, WrittenPrimitive, local};
+use crate::ir::{Object, Solid};
 use crate::library::Const;
 
-/// The most objects that one function names: naga takes quadratic time over a function's statements.
-pub const OBJECTS_PER_FUNCTION: usize = 32;
-
-/// What is written about one object more than once, so that its numbers are slots once.
-pub struct WrittenObject {
-    pub arguments: Vec<Code>,
-    pub space: Option<Code>,
+/// What is written about one object more than once.
+struct WrittenObject {
+    caption: String,
+    /// How a ray's nearest crossing with it is called.
+    crossing: Code,
+    /// What picks its t out of that.
+    t: &'static str,
+    /// Its crossing and its primitive become a hit.
+    step: Code,
+    /// The test that a ray comes through the author's bounds.
+    guard: Option<Code>,
 }
 
-/// `ray` in `space`, the world's if there is none.
-pub fn local(space: Option<&Code>, ray: &str) -> Code {
-    match space {
-        None => Code::atom(ray),
-        Some(space) => Code::call("rayInto", [space.clone(), Code::atom(ray)]),
-    }
+/// One of the two functions that ask all objects about a ray.
+struct Question {
+    doc: &'static str,
+    /// Whether the author's words stand before each object.
+    is_captioned: bool,
+    /// The head of the function for all objects, and its last statement.
+    head: &'static str,
+    end: &'static str,
+    /// The head for a part of them, by its number.
+    part_head: fn(usize) -> String,
+    /// Asks so many parts, and ends the function.
+    ask_parts: fn(&mut Lines, usize),
+    before: &'static [&'static str],
+    part_before: &'static [&'static str],
+    ask: fn(&mut Lines, usize, &WrittenObject),
 }
+
+const CLOSEST: Question = Question {
+    doc: "/// The nearest object that `ray` meets.",
+    is_captioned: true,
+    head: "fn rayTraceScene(ray: Ray) -> Hit {",
+    end: "    return hit;",
+    part_head: |i| format!("fn rayTracePart{i}(ray: Ray, before: Hit) -> Hit {{"),
+    ask_parts: |lines, parts| {
+        (0..parts).for_each(|i| lines.push(format!("    hit = rayTracePart{i}(ray, hit);")));
+        lines.push("    return hit;");
+    },
+    before: &["    var hit = noHit(ray);"],
+    part_before: &["    var hit = before;"],
+    ask: |lines, indent, object| lines.statement(indent, "hit = ", &object.step, ";"),
+};
+
+const BLOCKED: Question = Question {
+    doc: "/// Whether anything that casts a shadow lies on `ray`.",
+    is_captioned: false,
+    head: "fn sceneBlocks(ray: Ray) -> bool {",
+    end: "    return false;",
+    part_head: |i| format!("fn partBlocks{i}(ray: Ray) -> bool {{"),
+    // Returns would put each part into a branch of the one before.
+    ask_parts: |lines, parts| {
+        let calls: Vec<String> = (0..parts).map(|i| format!("partBlocks{i}(ray)")).collect();
+        lines.chain(4, "return ", "||", &calls, ";");
+    },
+    before: &[],
+    part_before: &[],
+    ask: |lines, indent, object| {
+        let after = format!("{} < NO_HIT {{ return true; }}", object.t);
+        lines.statement(indent, "if ", &object.crossing, &after);
+    },
+};
 
 impl Writer<'_> {
-    pub fn object(&mut self, object: &Object) -> WrittenObject {
-        self.uses(&object.shape);
-        let constants = object.arguments.iter().map(|argument| match argument {
-            Value::Const(constant) => self.numbers.constant(*constant),
-            Value::Model(index) => Code::atom(&self.model_names[*index]),
-            // What varies is written where the distance is asked for. Bounds take it as 1.
-            _ => Code::call("f32", [Code::atom("1.0")]),
-        });
-        let arguments = constants.collect();
-        WrittenObject { arguments, space: object.space.as_ref().map(|rows| self.space(rows)) }
-    }
-
-    pub fn space(&mut self, rows: &Space) -> Code {
-        let rows: Vec<Code> =
-            rows.iter().map(|row| self.numbers.constant(Const::Vec4((*row).into()))).collect();
-        Code::call("Space", rows)
-    }
-
-    /// `function` of `first` and the object's arguments.
-    pub fn on_shape(&self, index: usize, suffix: &str, first: Code, written: &WrittenObject) -> Code {
-        let object = &self.scene.objects[index];
-        if object.is_textured() {
-            return Code::call(format!("{}{suffix}", self.field_names[index]), [first]);
+    pub fn objects(&mut self) -> Lines {
+        let scene = self.scene;
+        let primitives: Vec<WrittenPrimitive> =
+            scene.primitives.iter().map(|primitive| self.primitive(primitive)).collect();
+        let written: Vec<WrittenObject> =
+            scene.objects.iter().map(|object| self.written(object, &primitives)).collect();
+        let select = |wanted: fn(&Object) -> bool| {
+            let objects = scene.objects.iter().zip(&written);
+            objects.filter(|(object, _)| wanted(object)).map(|(_, written)| written).collect::<Vec<_>>()
+        };
+        let mut lines = asked(&CLOSEST, &select(|object| object.visible));
+        lines.extend(asked(&BLOCKED, &select(|object| object.casts_shadow)));
+        for object in &scene.objects {
+            lines.extend(self.csg_functions(&object.solid, &primitives));
         }
-        let function = format!("{}{suffix}", object.shape.wgsl_name);
-        Code::call(function, [first].into_iter().chain(written.arguments.iter().cloned()))
-    }
-
-    pub fn surfaces(&self, written: &[WrittenObject]) -> Lines {
-        let mut lines = Lines::default();
-        let chunks = written.len().div_ceil(OBJECTS_PER_FUNCTION);
-        lines.push("");
-        lines.push("/// The surface of `object` at the world point `p`.");
-        lines.push("fn surfaceAt(object: u32, p: vec3f) -> Placed {");
-        if chunks > 1 {
-            let answer = Answer::new(written.len(), "its_surface", "Placed");
-            let mut cases = Lines::default();
-            for i in 0..chunks {
-                let case = if i + 1 < chunks { format!("case {i}u") } else { "default".into() };
-                let given = answer.given(&format!("surfacePart{i}(object, p)"));
-                cases.push(format!("        {case}: {{ {given} }}"));
-            }
-            lines.extend(answer.switch(&format!("object / {OBJECTS_PER_FUNCTION}u"), cases));
-            lines.push("}");
-            for (i, part) in written.chunks(OBJECTS_PER_FUNCTION).enumerate() {
-                lines.push("");
-                lines.push(format!("fn surfacePart{i}(object: u32, p: vec3f) -> Placed {{"));
-                lines.extend(self.surface_switch(i * OBJECTS_PER_FUNCTION, part));
-                lines.push("}");
-            }
-        } else {
-            lines.extend(self.surface_switch(0, written));
-            lines.push("}");
-        }
+        lines.extend(self.surfaces(&primitives));
+        lines.extend(self.marches(&primitives));
         lines
     }
 
-    fn surface_switch(&self, first: usize, written: &[WrittenObject]) -> Lines {
-        let answer = Answer::new(written.len(), "its_surface", "Placed");
-        let mut lines = Lines::default();
-        for (i, written) in written.iter().enumerate() {
-            let index = first + i;
-            let inverted = self.scene.objects[index].inverted;
-            let on_shape = |p: Code| {
-                let seen = self.on_shape(index, "Surface", p, written);
-                if inverted { Code::call("inverted", [seen]) } else { seen }
-            };
-            lines.push(format!("        case {}: {{", self.object_names[index]));
-            let placed = match &written.space {
-                None => Code::call("placed", [on_shape(Code::atom("p")), Code::atom("p")]),
-                Some(space) => {
-                    lines.statement(12, "let space = ", space, ";");
-                    let local = Code::call("pointInto", [Code::atom("space"), Code::atom("p")]);
-                    Code::call("placedFrom", [Code::atom("space"), on_shape(local), Code::atom("p")])
-                }
-            };
-            lines.statement(12, &answer.give(), &placed, ";");
-            lines.push("        }");
-        }
-        lines.push("        default: {");
-        let nowhere = answer.given("placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p)");
-        lines.push(format!("            {nowhere}"));
-        lines.push("        }");
-        answer.switch("object", lines)
+    fn written(&mut self, object: &Object, primitives: &[WrittenPrimitive]) -> WrittenObject {
+        let (caption, crossing, t, step, ray) = match &object.solid {
+            Solid::Primitive(index) => {
+                let primitive = &self.scene.primitives[*index];
+                let ray = local(primitives[*index].space.as_ref(), "ray");
+                let crossing = self.on_shape(*index, "", ray.clone(), &primitives[*index]);
+                let name = Code::atom(&self.object_names[*index]);
+                let step = Code::call("nearer", [Code::atom("hit"), crossing.clone(), name]);
+                let head = format!("objects[{index}] \"{}\": ", primitive.name);
+                (self.caption(4, &head, &primitive.caption), crossing, "", step, ray)
+            }
+            Solid::Csg(csg) => {
+                let space = object.space.as_ref().filter(|_| object.bounds.is_some());
+                let space = space.map(|rows| self.space(rows));
+                let called = Code::call(&self.csg_names[&csg.name], [Code::atom("ray")]);
+                let step = Code::call("nearerCrossing", [Code::atom("hit"), called.clone()]);
+                let head = format!("\"{}\": ", csg.name);
+                let caption = self.caption(4, &head, &csg.caption);
+                (caption, called, ".t", step, local(space.as_ref(), "ray"))
+            }
+        };
+        let guard = object.bounds.map(|(low, high)| {
+            let corners = [low, high].map(|c| self.numbers.constant(Const::Vec3(c)));
+            Code::call("meetsBounds", [ray].into_iter().chain(corners))
+        });
+        WrittenObject { caption, crossing, t, step, guard }
     }
+}
+
+fn asked(question: &Question, objects: &[&WrittenObject]) -> Lines {
+    let parts: Vec<&[&WrittenObject]> = objects.chunks(MAX_PER_FUNCTION).collect();
+    let mut lines = Lines::default();
+    lines.push("");
+    lines.push(question.doc);
+    lines.push(question.head);
+    question.before.iter().for_each(|line| lines.push(*line));
+    if parts.len() > 1 {
+        (question.ask_parts)(&mut lines, parts.len());
+    } else {
+        objects.iter().for_each(|object| ask(question, object, &mut lines));
+        lines.push(question.end);
+    }
+    lines.push("}");
+    for (i, part) in parts.iter().enumerate().filter(|_| parts.len() > 1) {
+        lines.push("");
+        lines.push((question.part_head)(i));
+        question.part_before.iter().for_each(|line| lines.push(*line));
+        part.iter().for_each(|object| ask(question, object, &mut lines));
+        lines.push(question.end);
+        lines.push("}");
+    }
+    lines
+}
+
+/// Asks `object`, inside a test of its bounds where the author gave some.
+fn ask(question: &Question, object: &WrittenObject, lines: &mut Lines) {
+    if question.is_captioned {
+        lines.push(object.caption.as_str());
+    }
+    let Some(guard) = &object.guard else { return (question.ask)(lines, 4, object) };
+    lines.statement(4, "if ", guard, " {");
+    (question.ask)(lines, 8, object);
+    lines.push("    }");
 }

@@ -7,8 +7,19 @@ use crate::library::{BUILT_IN, Function, built_in};
 
 /// The hand-written shader around every scene.
 const CORE: [&str; 13] = [
-    "pixel", "trace", "branch", "media", "look", "point", "shading", "light", "material", "space", "hit",
-    "ray", "frame",
+    "pixel",
+    "trace",
+    "branch",
+    "media",
+    "footprint_samples",
+    "point",
+    "shading",
+    "light",
+    "material",
+    "space",
+    "hit",
+    "ray",
+    "frame",
 ];
 
 /// What goes before it: the entry points, by those who call them.

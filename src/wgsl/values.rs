@@ -10,7 +10,7 @@ use crate::ir::{Call, Fit, Interpolation, Measure, Picture, Ramp, Scene, Triplan
 use crate::library::{Const, Type};
 
 /// The statements before the expression that a function returns.
-pub struct Body {
+pub struct Block {
     pub lines: Lines,
     count: usize,
     /// For each point, by its name, which named textures are evaluated once.
@@ -19,7 +19,7 @@ pub struct Body {
     known: BTreeMap<(usize, String), String>,
 }
 
-impl Body {
+impl Block {
     /// The start of a function that evaluates `values` at its parameter `at`.
     pub fn of<'v>(values: impl IntoIterator<Item = &'v Value>, scene: &Scene) -> Self {
         let shared = [("at".to_owned(), Sharing::at(&Point::of(values), scene))].into();
@@ -36,48 +36,48 @@ impl Body {
 }
 
 impl Writer<'_> {
-    /// `value` at the point `at`; what must be computed first goes to `body`, `indent` columns in.
-    pub fn value(&mut self, value: &Value, at: &str, body: &mut Body, indent: usize) -> Code {
+    /// `value` at the point `at`; what must be computed first goes to `block`, `indent` columns in.
+    pub fn value(&mut self, value: &Value, at: &str, block: &mut Block, indent: usize) -> Code {
         match value {
             Value::Const(constant) => self.numbers.constant(*constant),
             Value::Model(index) => Code::atom(&self.model_names[*index]),
-            Value::Texture(index) => self.named(*index, at, body, indent),
-            Value::Grey(number) => Code::call("vec3f", [self.value(number, at, body, indent)]),
-            Value::Luminance(color) => Code::call("luminance", [self.value(color, at, body, indent)]),
-            Value::Call(call) => self.call(call, at, body, indent),
-            Value::Ramp(ramp) => self.ramp(ramp, at, body, indent),
-            Value::Triplanar(form) => self.triplanar(form, at, body, indent),
-            Value::Picture(picture) => self.picture(picture, at, body, indent),
+            Value::Texture(index) => self.named(*index, at, block, indent),
+            Value::Grey(number) => Code::call("vec3f", [self.value(number, at, block, indent)]),
+            Value::Luminance(color) => Code::call("luminance", [self.value(color, at, block, indent)]),
+            Value::Call(call) => self.call(call, at, block, indent),
+            Value::Ramp(ramp) => self.ramp(ramp, at, block, indent),
+            Value::Triplanar(form) => self.triplanar(form, at, block, indent),
+            Value::Picture(picture) => self.picture(picture, at, block, indent),
         }
     }
 
     /// A named texture: where it is named again at the same point, it is a local.
-    fn named(&mut self, index: usize, at: &str, body: &mut Body, indent: usize) -> Code {
+    fn named(&mut self, index: usize, at: &str, block: &mut Block, indent: usize) -> Code {
         let key = (index, at.to_owned());
-        if let Some(local) = body.known.get(&key) {
+        if let Some(local) = block.known.get(&key) {
             return Code::atom(local);
         }
         let scene = self.scene;
-        let sharing = &body.shared[at];
+        let sharing = &block.shared[at];
         let is_local = sharing.locals.contains(&index);
         let code = match sharing.opened.contains(&index) {
-            true => self.value(&scene.textures[index].value, at, body, indent),
+            true => self.value(&scene.textures[index].value, at, block, indent),
             false => Code::call(&self.texture_names[index], [Code::atom(at)]),
         };
         if !is_local {
             return code;
         }
-        let local = body.bind("let", "shared", &code, indent);
-        body.known.insert(key, local.clone());
+        let local = block.bind("let", "shared", &code, indent);
+        block.known.insert(key, local.clone());
         Code::atom(local)
     }
 
-    fn call(&mut self, call: &Call, at: &str, body: &mut Body, indent: usize) -> Code {
-        let at = &self.moved(call.at.as_deref(), at, &call.arguments, body, indent);
+    fn call(&mut self, call: &Call, at: &str, block: &mut Block, indent: usize) -> Code {
+        let at = &self.moved(call.at.as_deref(), at, &call.arguments, block, indent);
         self.uses(&call.function);
         let mut arguments = vec![Code::atom(at)];
         for argument in &call.arguments {
-            arguments.push(self.value(argument, at, body, indent));
+            arguments.push(self.value(argument, at, block, indent));
         }
         Code::call(&call.function.wgsl_name, arguments)
     }
@@ -88,25 +88,25 @@ impl Writer<'_> {
         mapping: Option<&Call>,
         at: &str,
         values: impl IntoIterator<Item = &'v Value>,
-        body: &mut Body,
+        block: &mut Block,
         indent: usize,
     ) -> String {
         let Some(mapping) = mapping else { return at.to_owned() };
-        let code = self.call(mapping, at, body, indent);
-        let place = body.bind("let", "at", &code, indent);
-        body.shared.insert(place.clone(), Sharing::at(&Point::of(values), self.scene));
+        let code = self.call(mapping, at, block, indent);
+        let place = block.bind("let", "at", &code, indent);
+        block.shared.insert(place.clone(), Sharing::at(&Point::of(values), self.scene));
         place
     }
 
     /// One stop is mixed over the other: below its start a step is 0, above its end 1.
-    fn ramp(&mut self, ramp: &Ramp, at: &str, body: &mut Body, indent: usize) -> Code {
+    fn ramp(&mut self, ramp: &Ramp, at: &str, block: &mut Block, indent: usize) -> Code {
         let values = ramp.stops.iter().map(|(_, stop)| stop).chain([&ramp.by]);
-        let at = &self.moved(ramp.at.as_deref(), at, values, body, indent);
-        let by = self.value(&ramp.by, at, body, indent);
-        let by = body.bind("let", "by", &by, indent);
+        let at = &self.moved(ramp.at.as_deref(), at, values, block, indent);
+        let by = self.value(&ramp.by, at, block, indent);
+        let by = block.bind("let", "by", &by, indent);
         let (first_at, first) = &ramp.stops[0];
-        let first = self.value(first, at, body, indent);
-        let color = body.bind("var", "ramp", &first, indent);
+        let first = self.value(first, at, block, indent);
+        let color = block.bind("var", "ramp", &first, indent);
         let mut low = *first_at;
         for (high, stop) in &ramp.stops[1..] {
             let ends = [low, *high].map(|x| self.numbers.constant(Const::F32(x)));
@@ -116,33 +116,33 @@ impl Writer<'_> {
                 Interpolation::Constant => "rampConstant",
             };
             let step = Code::call(step, ends.into_iter().chain([Code::atom(&by)]));
-            let stop = self.value(stop, at, body, indent);
+            let stop = self.value(stop, at, block, indent);
             let mixed = Code::call("mix", [Code::atom(&color), stop, step]);
-            body.lines.statement(indent, &format!("{color} = "), &mixed, ";");
+            block.lines.statement(indent, &format!("{color} = "), &mixed, ";");
             low = *high;
         }
         Code::atom(color)
     }
 
     /// The texture is written once, in a loop over the three sides.
-    fn triplanar(&mut self, form: &Triplanar, at: &str, body: &mut Body, indent: usize) -> Code {
-        let at = &self.moved(form.at.as_deref(), at, [], body, indent);
-        let sum = body.bind("var", "sides", &Code::call("vec3f", [Code::atom("0.0")]), indent);
+    fn triplanar(&mut self, form: &Triplanar, at: &str, block: &mut Block, indent: usize) -> Code {
+        let at = &self.moved(form.at.as_deref(), at, [], block, indent);
+        let sum = block.bind("var", "sides", &Code::call("vec3f", [Code::atom("0.0")]), indent);
         let sharpness = self.numbers.constant(Const::F32(form.sharpness));
-        body.lines.push(format!("{:indent$}for (var side = 0u; side < 3u; side++) {{", ""));
+        block.lines.push(format!("{:indent$}for (var side = 0u; side < 3u; side++) {{", ""));
         let project = Code::call("sideOf", [Code::atom(at), Code::atom("side")]);
-        let flat = body.bind("let", "at", &project, indent + 4);
-        body.shared.insert(flat.clone(), Sharing::at(&Point::of([&form.of]), self.scene));
-        let color = self.value(&form.of, &flat, body, indent + 4);
-        let seen = body.bind("let", "side_color", &color, indent + 4);
+        let flat = block.bind("let", "at", &project, indent + 4);
+        block.shared.insert(flat.clone(), Sharing::at(&Point::of([&form.of]), self.scene));
+        let color = self.value(&form.of, &flat, block, indent + 4);
+        let seen = block.bind("let", "side_color", &color, indent + 4);
         let weight = Code::call("sideShare", [Code::atom(at), Code::atom("side"), sharpness]);
-        body.lines.statement(indent + 4, &format!("{sum} += {seen} * "), &weight, ";");
-        body.lines.push(format!("{:indent$}}}", ""));
+        block.lines.statement(indent + 4, &format!("{sum} += {seen} * "), &weight, ";");
+        block.lines.push(format!("{:indent$}}}", ""));
         Code::atom(sum)
     }
 
-    fn picture(&mut self, picture: &Picture, at: &str, body: &mut Body, indent: usize) -> Code {
-        let under = picture.under.as_ref().map(|under| self.value(under, at, body, indent));
+    fn picture(&mut self, picture: &Picture, at: &str, block: &mut Block, indent: usize) -> Code {
+        let under = picture.under.as_ref().map(|under| self.value(under, at, block, indent));
         let whole = match picture.fit {
             Fit::Surface => None,
             Fit::Mapping | Fit::Plane => Some("unfitted"),
@@ -151,14 +151,14 @@ impl Writer<'_> {
         let fitted = |at: &str, whole: &str| Code::call(whole, [Code::atom(at)]);
         let before = match picture.fit {
             Fit::Mapping => {
-                let place = body.bind("let", "at", &fitted(at, "unfitted"), indent);
+                let place = block.bind("let", "at", &fitted(at, "unfitted"), indent);
                 let values = picture.at.iter().flat_map(|mapping| &mapping.innermost().arguments);
-                body.shared.insert(place.clone(), Sharing::at(&Point::of(values), self.scene));
+                block.shared.insert(place.clone(), Sharing::at(&Point::of(values), self.scene));
                 place
             }
             _ => at.to_owned(),
         };
-        let moved = self.moved(picture.at.as_deref(), &before, [], body, indent);
+        let moved = self.moved(picture.at.as_deref(), &before, [], block, indent);
         let at = match whole {
             Some(whole) if picture.fit != Fit::Mapping => fitted(&moved, whole),
             _ => Code::atom(moved),
@@ -193,7 +193,7 @@ impl Writer<'_> {
         let scene = self.scene;
         let mut reached = BTreeSet::new();
         let mut reach = |values: &[&Value]| called(&Point::of(values.iter().copied()), scene, &mut reached);
-        scene.objects.iter().for_each(|object| reach(&object.arguments.iter().collect::<Vec<_>>()));
+        scene.primitives.iter().for_each(|object| reach(&object.arguments.iter().collect::<Vec<_>>()));
         reach(&[&scene.background]);
         if let Some(Measure::Texture(index)) = scene.measure {
             reach(&[&Value::Texture(index)]);
@@ -205,13 +205,13 @@ impl Writer<'_> {
         let mut lines = Lines::default();
         for index in reached {
             let texture = &scene.textures[index];
-            let mut body = Body::of([&texture.value], scene);
-            let value = self.value(&texture.value, "at", &mut body, 4);
+            let mut block = Block::of([&texture.value], scene);
+            let value = self.value(&texture.value, "at", &mut block, 4);
             let ty = if texture.ty == Type::F32 { "f32" } else { "vec3f" };
             lines.push("");
             lines.push(code::one_line(&format!("/// textures: \"{}\"", texture.name)));
             lines.push(format!("fn {}(at: Surface) -> {ty} {{", self.texture_names[index]));
-            lines.extend(body.lines);
+            lines.extend(block.lines);
             lines.statement(4, "return ", &value, ";");
             lines.push("}");
         }

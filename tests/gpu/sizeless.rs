@@ -133,14 +133,17 @@ fn check(function: &Function) -> Vec<String> {
     let mut asked = 0;
     for stage in stages {
         let good = expect_compiled(outcome_of("a.ron", &scene(stage, &sample::call(function)), Mode::Live));
-        let at =
-            good.scene.objects.iter().position(|o| o.shape.name == function.name && function.name != "Box");
+        let at = good
+            .scene
+            .primitives
+            .iter()
+            .position(|o| o.shape.name == function.name && function.name != "Box");
         let at = at.unwrap_or(usize::from(stage == PART));
         for index in 0..function.parameters.len() {
-            for value in odd_values(&function.parameters[index], &good.scene.objects[at].arguments) {
+            for value in odd_values(&function.parameters[index], &good.scene.primitives[at].arguments) {
                 asked += 1;
                 let mut odd = good.scene.clone();
-                odd.objects[at].arguments[index] = Value::Const(value);
+                odd.primitives[at].arguments[index] = Value::Const(value);
                 let mut live = good.clone();
                 live.source.numbers = generate(&odd, Mode::Live).numbers;
                 problems.extend(strays(&live).map(|why| {

@@ -44,10 +44,10 @@ fn resolved(text: &str) -> Result<Scene, Vec<Diagnostic>> {
     let (mut scene, _) = resolve("scene.ron", text, &value, &library)?;
     // The author's words are not what they mean.
     scene.lights.iter_mut().for_each(|light| light.caption.clear());
-    scene.objects.iter_mut().for_each(|object| object.caption.clear());
-    scene.bodies.iter_mut().for_each(|body| {
-        if let raytoy::ir::Solid::Combination(combination) = &mut body.solid {
-            combination.caption.clear();
+    scene.primitives.iter_mut().for_each(|object| object.caption.clear());
+    scene.objects.iter_mut().for_each(|object| {
+        if let raytoy::ir::Solid::Csg(csg) = &mut object.solid {
+            csg.caption.clear();
         }
     });
     Ok(scene)
@@ -89,11 +89,11 @@ fn objects_have_the_names_and_numbers_of_the_resolved_scene() {
         let compiled = common::expect_compiled(outcome(&name, Mode::Baked));
         let folder = File::new(&name).parent().unwrap().to_string_lossy().into_owned();
         let outline = outline_of(&read(&name), &folder);
-        for (i, object) in compiled.scene.objects.iter().enumerate() {
+        for (i, object) in compiled.scene.primitives.iter().enumerate() {
             let node = outline.object(i).unwrap_or_else(|| panic!("{name}: no node of {}", object.name));
             assert_eq!((&node.label, node.kind), (&object.name, NodeKind::Object), "{name}");
         }
-        assert_eq!(outline.object(compiled.scene.objects.len()), None, "{name}");
+        assert_eq!(outline.object(compiled.scene.primitives.len()), None, "{name}");
         let lights = outline.all_nodes().into_iter().filter(|node| node.kind == NodeKind::Light);
         assert_eq!(lights.count(), compiled.scene.lights.len(), "{name}");
     }
@@ -166,8 +166,8 @@ fn leaving_a_field_out_means_its_default() {
         if ["translate", "rotate_deg", "scale"].contains(&field.label.as_str()) {
             let identity = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
             let is_unmoved = |space: &mut Option<_>| *space = space.take().filter(|s| *s != identity);
+            scene.primitives.iter_mut().for_each(|object| is_unmoved(&mut object.space));
             scene.objects.iter_mut().for_each(|object| is_unmoved(&mut object.space));
-            scene.bodies.iter_mut().for_each(|body| is_unmoved(&mut body.space));
         }
         assert_eq!(scene, bare, "{} is not as if left out", field.path);
     }
@@ -354,7 +354,7 @@ Light Spot 0 at lights[0]
 Textures textures at textures
 Texture tiles at textures["tiles"]
 Objects objects at objects
-Combination both at objects[0]
+Csg both at objects[0]
 Object both Sphere 0 at objects[0].parts[0] (object 0)
 Object both Disk 1 at objects[0].parts[1] (object 1)
 Object Box 1 at objects[1] (object 2)

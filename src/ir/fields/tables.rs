@@ -3,7 +3,7 @@
 use super::{
     Choice, Field, Group, Takes, color, field, flag, limits, number, texture_or_color, vector, word,
 };
-use crate::ir::{MAX_BOUNCES, Operation};
+use crate::ir::{CsgOperation, MAX_BOUNCES};
 
 pub const SCENE: &[Field] = &[
     field("camera", Takes::Group(CAMERA), "where the picture is taken from"),
@@ -121,7 +121,7 @@ pub const BOUNDS: &[Field] =
 const PARTS: &[Field] = &[field("parts", Takes::Solids, "shapes, or again solids made of them").required()];
 
 /// The solids that are made of others.
-pub const OPERATIONS: &[(Group, Operation)] = &[
+pub const OPERATIONS: &[(Group, CsgOperation)] = &[
     (
         Group {
             name: "Union",
@@ -129,7 +129,7 @@ pub const OPERATIONS: &[(Group, Operation)] = &[
             example: "Union(parts: [Box(), Sphere()])",
             doc: "what lies in any part: no surface inside",
         },
-        Operation::Union,
+        CsgOperation::Union,
     ),
     (
         Group {
@@ -138,7 +138,7 @@ pub const OPERATIONS: &[(Group, Operation)] = &[
             example: "Intersection(parts: [Box(), Sphere()])",
             doc: "what lies in every part",
         },
-        Operation::Intersection,
+        CsgOperation::Intersection,
     ),
     (
         Group {
@@ -147,7 +147,7 @@ pub const OPERATIONS: &[(Group, Operation)] = &[
             example: "Difference(parts: [Box(), Sphere(radius: 1.2)])",
             doc: "what lies in the first part and in none of the others, whose surfaces show where they cut",
         },
-        Operation::Difference,
+        CsgOperation::Difference,
     ),
 ];
 

@@ -1,7 +1,7 @@
 //! Shapes without a size: points that coincide, sides that lie along each other.
 
 use super::Resolver;
-use crate::ir::{Object, Value};
+use crate::ir::{Primitive, Value};
 use crate::library::{Condition, Const, Function, Relation};
 use crate::scene::{self, Kind, Name};
 
@@ -19,7 +19,7 @@ impl Resolver<'_> {
     }
 
     /// Reports a part that has no inside since it is flat.
-    pub fn check_thickness(&mut self, object: &Object, name: &Name) {
+    pub fn check_thickness(&mut self, object: &Primitive, name: &Name) {
         let constants = constants(&object.arguments);
         if object.shape.conditions.iter().any(|condition| condition.leaves_flat(&constants)) {
             let advice = "parts are solids: give it thickness along all three axes".into();

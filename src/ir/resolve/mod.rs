@@ -154,7 +154,7 @@ impl<'a> Resolver<'a> {
         };
         let ambient = ambient.map_or(default_ambient, |value| self.constant_color(value));
         let lights = self.lights(lights);
-        let (objects, bodies) = self.objects(objects, root);
+        let (primitives, objects) = self.objects(objects, root);
         self.check_remote(&camera);
         let render = self.render(render);
         Scene {
@@ -167,8 +167,8 @@ impl<'a> Resolver<'a> {
             models: std::mem::take(&mut self.models),
             textures: std::mem::take(&mut self.textures),
             materials: std::mem::take(&mut self.materials),
+            primitives,
             objects,
-            bodies,
             render,
             measure: None,
         }

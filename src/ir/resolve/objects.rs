@@ -12,7 +12,7 @@ use super::reader::Fields;
 use super::remote::Stand;
 use crate::diagnostic::Diagnostic;
 use crate::ir::fields::{EVERY_OBJECT, EVERY_SOLID, Field, OPERATIONS};
-use crate::ir::{Body, Combination, Object, Operation, Solid, Value};
+use crate::ir::{Csg, CsgOperation, Object, Primitive, Solid, Value};
 use crate::library::Family;
 use crate::scene::{self, Kind, Name, Record};
 
@@ -22,11 +22,11 @@ pub fn default_name(around: &str, shape: &str, index: usize) -> String {
     format!("{around} {shape} {index}").trim_start().to_owned()
 }
 
-/// The objects of a scene, so far.
+/// The primitives of a scene, so far.
 #[derive(Default)]
 struct Found {
-    objects: Vec<Object>,
-    /// Names of objects and combinations, and where they were given.
+    primitives: Vec<Primitive>,
+    /// Names of primitives and of CSG solids, and where they were given.
     names: BTreeMap<String, Range<usize>>,
 }
 
@@ -42,12 +42,12 @@ struct Around<'a> {
 }
 
 impl Resolver<'_> {
-    /// The objects, and the bodies that they are or are parts of.
+    /// The primitives, and the objects that they are or are parts of.
     pub fn objects(
         &mut self,
         written: Option<&scene::Value>,
         root: &scene::Value,
-    ) -> (Vec<Object>, Vec<Body>) {
+    ) -> (Vec<Primitive>, Vec<Object>) {
         let mut found = Found::default();
         let Some(written) = written else {
             // What has no fields at all has been reported.
@@ -64,12 +64,12 @@ impl Resolver<'_> {
         if !self.allows(count(items), MAX_OBJECTS, "objects and parts", &written.span) {
             return (vec![], vec![]);
         }
-        let bodies =
-            items.iter().enumerate().filter_map(|(i, item)| self.body(item, i, &mut found)).collect();
-        (found.objects, bodies)
+        let objects =
+            items.iter().enumerate().filter_map(|(i, item)| self.object(item, i, &mut found)).collect();
+        (found.primitives, objects)
     }
 
-    fn body(&mut self, written: &scene::Value, index: usize, found: &mut Found) -> Option<Body> {
+    fn object(&mut self, written: &scene::Value, index: usize, found: &mut Found) -> Option<Object> {
         let shape = self.named(written)?;
         let mut tables = tables_of(shape);
         tables.push(EVERY_OBJECT);
@@ -79,7 +79,7 @@ impl Resolver<'_> {
         let casts_shadow = fields.flag(self, "casts_shadow");
         let around = Around { name: "", to_world: None, material: None, inverted: false, depth: 0 };
         let (solid, to_world) = self.solid(written, shape, fields, index, around, found)?;
-        Some(Body { solid, space: to_world.map(into_space), bounds, visible, casts_shadow })
+        Some(Object { solid, space: to_world.map(into_space), bounds, visible, casts_shadow })
     }
 
     /// The `Name` of `Name(…)`.
@@ -91,7 +91,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// A shape or a combination, and the map from its space into the world.
+    /// A primitive or a CSG solid, and the map from its space into the world.
     fn solid(
         &mut self,
         written: &scene::Value,
@@ -121,23 +121,23 @@ impl Resolver<'_> {
         };
         let around = Around { name: &name, to_world, ..around };
         let solid = match OPERATIONS.iter().find(|(known, _)| known.name == shape.text) {
-            Some((_, operation)) => self.combination(*operation, written, fields, around, found),
+            Some((_, operation)) => self.csg(*operation, written, fields, around, found),
             None => {
-                let object = self.object(written, shape, fields, around)?;
-                found.objects.push(object);
-                Some(Solid::Object(found.objects.len() - 1))
+                let primitive = self.primitive(written, shape, fields, around)?;
+                found.primitives.push(primitive);
+                Some(Solid::Primitive(found.primitives.len() - 1))
             }
         };
         Some((solid?, to_world))
     }
 
-    fn object(
+    fn primitive(
         &mut self,
         written: &scene::Value,
         shape_name: &Name,
         mut fields: Fields<'_>,
         around: Around<'_>,
-    ) -> Option<Object> {
+    ) -> Option<Primitive> {
         let shape = self.function(Family::Shape, shape_name)?;
         let material = match (fields.get("material"), around.material) {
             (None, Some(material)) => material,
@@ -168,7 +168,7 @@ impl Resolver<'_> {
         if shape.traits.is_distance {
             self.check_evaluations(&arguments.iter().collect::<Vec<_>>(), &written.span);
         }
-        Some(Object {
+        Some(Primitive {
             name: around.name.to_owned(),
             caption: self.words(written, &["name", "material"]),
             shape,
@@ -195,9 +195,9 @@ impl Resolver<'_> {
         first
     }
 
-    fn combination(
+    fn csg(
         &mut self,
-        operation: Operation,
+        operation: CsgOperation,
         written: &scene::Value,
         mut fields: Fields<'_>,
         around: Around<'_>,
@@ -226,28 +226,28 @@ impl Resolver<'_> {
         for (i, item) in items.iter().enumerate() {
             let Some(shape) = self.named(item) else { continue };
             let fields = Fields::of(self, item, &format!("`{}` as a part", shape.text), &tables_of(shape));
-            let cut = operation == Operation::Difference && i > 0;
+            let cut = operation == CsgOperation::Difference && i > 0;
             let around = Around { inverted: around.inverted != cut, depth: around.depth + 1, ..around };
             let Some((solid, _)) = self.solid(item, shape, fields, i, around, found) else { continue };
-            if let Solid::Object(index) = solid {
-                self.check_encloses(&found.objects[index], shape);
+            if let Solid::Primitive(index) = solid {
+                self.check_encloses(&found.primitives[index], shape);
             }
             solids.push(solid);
         }
         let caption = self.words(written, &["name", "material", "parts"]);
         let name = around.name.to_owned();
-        let combination = Combination { name, caption, operation, parts: solids };
-        Some(Solid::Combination(combination.in_groups()))
+        let csg = Csg { name, caption, operation, parts: solids };
+        Some(Solid::Csg(csg.in_groups()))
     }
 
     /// Reports a part that has no inside.
-    fn check_encloses(&mut self, object: &Object, shape: &Name) {
-        if object.shape.traits.is_open {
+    fn check_encloses(&mut self, primitive: &Primitive, shape: &Name) {
+        if primitive.shape.traits.is_open {
             let advice = "parts are solids: give it thickness, as `Box` or `Cylinder` have".into();
             self.error(&shape.span, format!("`{}` encloses nothing", shape.text)).help.push(advice);
         }
-        self.check_thickness(object, shape);
-        for argument in &object.arguments {
+        self.check_thickness(primitive, shape);
+        for argument in &primitive.arguments {
             if let Value::Model(index) = argument
                 && !self.models[*index].is_closed
             {

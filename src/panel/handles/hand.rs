@@ -174,7 +174,7 @@ impl Panel {
         let scene = &compiled.scene;
         // The middle of a model is that of its box.
         let middle = |object: usize| {
-            let model = scene.objects.get(object)?.arguments.iter().find_map(|argument| match argument {
+            let model = scene.primitives.get(object)?.arguments.iter().find_map(|argument| match argument {
                 Value::Model(index) => scene.models.get(*index),
                 _ => None,
             });

@@ -7,7 +7,7 @@
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 
 use crate::ir::fields::OPERATIONS;
-use crate::ir::{Operation, placed};
+use crate::ir::{CsgOperation, placed};
 use crate::outline::{Control, Field, Node, NodeKind, Outline};
 use crate::scene::Path;
 
@@ -57,7 +57,7 @@ pub fn movables(outline: &Outline, path: &Path, known: &Known<'_>) -> Vec<Movabl
     let Some(node) = find(&outline.nodes, path, &mut around) else { return vec![] };
     match node.kind {
         NodeKind::Light => known.light(node),
-        NodeKind::Object | NodeKind::Combination => {
+        NodeKind::Object | NodeKind::Csg => {
             known.solid(node, &around).map(Movable::Place).into_iter().collect()
         }
         _ => vec![],
@@ -121,7 +121,7 @@ impl Known<'_> {
         let operation = OPERATIONS.iter().find(|(group, _)| node.name.as_deref() == Some(group.name));
         let counts = match operation {
             // What is cut away says nothing of where the rest is.
-            Some((_, Operation::Difference)) => 1,
+            Some((_, CsgOperation::Difference)) => 1,
             _ => node.nodes.len(),
         };
         let middles = node.nodes.iter().take(counts).map(|part| {

@@ -113,16 +113,16 @@ fn cutSolid(ray: Ray) -> Crossing {
     );
     var blockPart = notAsked();
     var hollowPart = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if blockPart.t <= rest.t_min {
             let t = box(moved0, vec3f(-0.9), vec3f(0.9));
             let on = boxSurface(pointAt(moved0, t), vec3f(-0.9), vec3f(0.9));
-            blockPart = crossing(moved0, t, OBJECT_BLOCK, on.facet);
+            blockPart = crossing(moved0, t, OBJECT_BLOCK, on.geometric_normal);
         }
         if hollowPart.t <= rest.t_min {
             let t = mesh(moved1, MODEL_KNOT, true);
             let on = meshSurface(pointAt(moved1, t), MODEL_KNOT, true);
-            hollowPart = crossing(moved1, t, OBJECT_HOLLOW, on.facet);
+            hollowPart = crossing(moved1, t, OBJECT_HOLLOW, on.geometric_normal);
         }
         let t = min(blockPart.t, hollowPart.t);
         if t >= NO_HIT { break; }

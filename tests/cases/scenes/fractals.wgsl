@@ -78,7 +78,7 @@ fn bittenSolid(ray: Ray) -> Crossing {
     );
     var smoothBalls0Part = notAsked();
     var bitePart = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if smoothBalls0Part.t <= rest.t_min {
             let t = smoothBalls(
                 moved0,
@@ -96,12 +96,17 @@ fn bittenSolid(ray: Ray) -> Crossing {
                 0.42,
                 0.4,
             );
-            smoothBalls0Part = crossing(moved0, t, OBJECT_BITTEN_SMOOTHBALLS_0, on.facet);
+            smoothBalls0Part = crossing(
+                moved0,
+                t,
+                OBJECT_BITTEN_SMOOTHBALLS_0,
+                on.geometric_normal,
+            );
         }
         if bitePart.t <= rest.t_min {
             let t = mengerSponge(moved0, vec3f(0.2, 0.5, 0.5), 1.0, 2u);
             let on = mengerSpongeSurface(pointAt(moved0, t), vec3f(0.2, 0.5, 0.5), 1.0, 2u);
-            bitePart = crossing(moved0, t, OBJECT_BITE, on.facet);
+            bitePart = crossing(moved0, t, OBJECT_BITE, on.geometric_normal);
         }
         let t = min(smoothBalls0Part.t, bitePart.t);
         if t >= NO_HIT { break; }

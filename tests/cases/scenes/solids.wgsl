@@ -72,39 +72,39 @@ fn dieSolid(ray: Ray) -> Crossing {
     var threeAPart = notAsked();
     var threeBPart = notAsked();
     var threeCPart = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if cubePart.t <= rest.t_min {
             cubePart = cubeSolid(rest);
         }
         if onePart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0, 1.12, 0.0), 0.32);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 1.12, 0.0), 0.32);
-            onePart = crossing(moved0, t, OBJECT_ONE, on.facet);
+            onePart = crossing(moved0, t, OBJECT_ONE, on.geometric_normal);
         }
         if twoAPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(-0.45, 0.45, 1.1), 0.24);
             let on = sphereSurface(pointAt(moved0, t), vec3f(-0.45, 0.45, 1.1), 0.24);
-            twoAPart = crossing(moved0, t, OBJECT_TWO_A, on.facet);
+            twoAPart = crossing(moved0, t, OBJECT_TWO_A, on.geometric_normal);
         }
         if twoBPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.45, -0.45, 1.1), 0.24);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.45, -0.45, 1.1), 0.24);
-            twoBPart = crossing(moved0, t, OBJECT_TWO_B, on.facet);
+            twoBPart = crossing(moved0, t, OBJECT_TWO_B, on.geometric_normal);
         }
         if threeAPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(1.1, 0.5, -0.5), 0.24);
             let on = sphereSurface(pointAt(moved0, t), vec3f(1.1, 0.5, -0.5), 0.24);
-            threeAPart = crossing(moved0, t, OBJECT_THREE_A, on.facet);
+            threeAPart = crossing(moved0, t, OBJECT_THREE_A, on.geometric_normal);
         }
         if threeBPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(1.1, 0.0, 0.0), 0.24);
             let on = sphereSurface(pointAt(moved0, t), vec3f(1.1, 0.0, 0.0), 0.24);
-            threeBPart = crossing(moved0, t, OBJECT_THREE_B, on.facet);
+            threeBPart = crossing(moved0, t, OBJECT_THREE_B, on.geometric_normal);
         }
         if threeCPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(1.1, -0.5, 0.5), 0.24);
             let on = sphereSurface(pointAt(moved0, t), vec3f(1.1, -0.5, 0.5), 0.24);
-            threeCPart = crossing(moved0, t, OBJECT_THREE_C, on.facet);
+            threeCPart = crossing(moved0, t, OBJECT_THREE_C, on.geometric_normal);
         }
         let t = min(
             min(
@@ -181,16 +181,16 @@ fn cubeSolid(ray: Ray) -> Crossing {
     );
     var roundedBox0Part = notAsked();
     var sphere1Part = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if roundedBox0Part.t <= rest.t_min {
             let t = roundedBox(moved0, vec3f(-1.0), vec3f(1.0), 0.12);
             let on = roundedBoxSurface(pointAt(moved0, t), vec3f(-1.0), vec3f(1.0), 0.12);
-            roundedBox0Part = crossing(moved0, t, OBJECT_CUBE_ROUNDEDBOX_0, on.facet);
+            roundedBox0Part = crossing(moved0, t, OBJECT_CUBE_ROUNDEDBOX_0, on.geometric_normal);
         }
         if sphere1Part.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0), 1.5);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0), 1.5);
-            sphere1Part = crossing(moved0, t, OBJECT_CUBE_SPHERE_1, on.facet);
+            sphere1Part = crossing(moved0, t, OBJECT_CUBE_SPHERE_1, on.geometric_normal);
         }
         let t = min(roundedBox0Part.t, sphere1Part.t);
         if t >= NO_HIT { break; }
@@ -217,7 +217,7 @@ fn mugSolid(ray: Ray) -> Crossing {
     var rest = ray;
     var cupPart = notAsked();
     var handlePart = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if cupPart.t <= rest.t_min {
             cupPart = cupSolid(rest);
         }
@@ -251,7 +251,7 @@ fn cupSolid(ray: Ray) -> Crossing {
     );
     var roundedCylinder0Part = notAsked();
     var hollowPart = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if roundedCylinder0Part.t <= rest.t_min {
             let t = roundedCylinder(moved0, vec3f(0.0), vec3f(0.0, 1.9, 0.0), 0.85, 0.06);
             let on = roundedCylinderSurface(
@@ -261,7 +261,12 @@ fn cupSolid(ray: Ray) -> Crossing {
                 0.85,
                 0.06,
             );
-            roundedCylinder0Part = crossing(moved0, t, OBJECT_CUP_ROUNDEDCYLINDER_0, on.facet);
+            roundedCylinder0Part = crossing(
+                moved0,
+                t,
+                OBJECT_CUP_ROUNDEDCYLINDER_0,
+                on.geometric_normal,
+            );
         }
         if hollowPart.t <= rest.t_min {
             let t = roundedCylinder(moved0, vec3f(0.0, 0.12, 0.0), vec3f(0.0, 3.0, 0.0), 0.74, 0.1);
@@ -272,7 +277,7 @@ fn cupSolid(ray: Ray) -> Crossing {
                 0.74,
                 0.1,
             );
-            hollowPart = crossing(moved0, t, OBJECT_HOLLOW, on.facet);
+            hollowPart = crossing(moved0, t, OBJECT_HOLLOW, on.geometric_normal);
         }
         let t = min(roundedCylinder0Part.t, hollowPart.t);
         if t >= NO_HIT { break; }
@@ -307,7 +312,7 @@ fn handleSolid(ray: Ray) -> Crossing {
     );
     var ringPart = notAsked();
     var insidePart = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if ringPart.t <= rest.t_min {
             let t = torus(moved0, vec3f(0.85, 0.95, 0.0), vec3f(0.0, 0.0, 1.0), 0.48, 0.1);
             let on = torusSurface(
@@ -317,7 +322,7 @@ fn handleSolid(ray: Ray) -> Crossing {
                 0.48,
                 0.1,
             );
-            ringPart = crossing(moved0, t, OBJECT_RING, on.facet);
+            ringPart = crossing(moved0, t, OBJECT_RING, on.geometric_normal);
         }
         if insidePart.t <= rest.t_min {
             let t = cylinder(moved0, vec3f(0.0, -1.0, 0.0), vec3f(0.0, 3.0, 0.0), 0.8);
@@ -327,7 +332,7 @@ fn handleSolid(ray: Ray) -> Crossing {
                 vec3f(0.0, 3.0, 0.0),
                 0.8,
             );
-            insidePart = crossing(moved0, t, OBJECT_INSIDE, on.facet);
+            insidePart = crossing(moved0, t, OBJECT_INSIDE, on.geometric_normal);
         }
         let t = min(ringPart.t, insidePart.t);
         if t >= NO_HIT { break; }
@@ -357,7 +362,7 @@ fn nutSolid(ray: Ray) -> Crossing {
     );
     var blankPart = notAsked();
     var borePart = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if blankPart.t <= rest.t_min {
             blankPart = blankSolid(rest);
         }
@@ -369,7 +374,7 @@ fn nutSolid(ray: Ray) -> Crossing {
                 vec3f(0.0, 2.0, 0.0),
                 0.42,
             );
-            borePart = crossing(moved0, t, OBJECT_BORE, on.facet);
+            borePart = crossing(moved0, t, OBJECT_BORE, on.geometric_normal);
         }
         let t = min(blankPart.t, borePart.t);
         if t >= NO_HIT { break; }
@@ -399,7 +404,7 @@ fn blankSolid(ray: Ray) -> Crossing {
     );
     var hexPrism0Part = notAsked();
     var turnedPart = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if hexPrism0Part.t <= rest.t_min {
             let t = hexPrism(moved0, vec3f(0.0, 0.3, 0.0), vec3f(0.0, 1.0, 0.0), 0.8, 0.6);
             let on = hexPrismSurface(
@@ -409,12 +414,12 @@ fn blankSolid(ray: Ray) -> Crossing {
                 0.8,
                 0.6,
             );
-            hexPrism0Part = crossing(moved0, t, OBJECT_BLANK_HEXPRISM_0, on.facet);
+            hexPrism0Part = crossing(moved0, t, OBJECT_BLANK_HEXPRISM_0, on.geometric_normal);
         }
         if turnedPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0, 0.3, 0.0), 0.82);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 0.3, 0.0), 0.82);
-            turnedPart = crossing(moved0, t, OBJECT_TURNED, on.facet);
+            turnedPart = crossing(moved0, t, OBJECT_TURNED, on.geometric_normal);
         }
         let t = min(hexPrism0Part.t, turnedPart.t);
         if t >= NO_HIT { break; }
@@ -448,16 +453,16 @@ fn lensSolid(ray: Ray) -> Crossing {
     );
     var frontPart = notAsked();
     var backPart = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if frontPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0, 0.0, 1.1), 1.45);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 0.0, 1.1), 1.45);
-            frontPart = crossing(moved0, t, OBJECT_FRONT, on.facet);
+            frontPart = crossing(moved0, t, OBJECT_FRONT, on.geometric_normal);
         }
         if backPart.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0, 0.0, -1.1), 1.45);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 0.0, -1.1), 1.45);
-            backPart = crossing(moved0, t, OBJECT_BACK, on.facet);
+            backPart = crossing(moved0, t, OBJECT_BACK, on.geometric_normal);
         }
         let t = min(frontPart.t, backPart.t);
         if t >= NO_HIT { break; }

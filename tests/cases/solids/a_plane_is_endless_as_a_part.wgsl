@@ -55,16 +55,16 @@ fn domeSolid(ray: Ray) -> Crossing {
     );
     var sphere0Part = notAsked();
     var plane1Part = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if sphere0Part.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0), 1.5);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0), 1.5);
-            sphere0Part = crossing(moved0, t, OBJECT_DOME_SPHERE_0, on.facet);
+            sphere0Part = crossing(moved0, t, OBJECT_DOME_SPHERE_0, on.geometric_normal);
         }
         if plane1Part.t <= rest.t_min {
             let t = plane(moved1, vec3f(0.0, -1.0, 0.0), 0.0);
             let on = planeSurface(pointAt(moved1, t), vec3f(0.0, -1.0, 0.0), 0.0);
-            plane1Part = crossing(moved1, t, OBJECT_DOME_PLANE_1, on.facet);
+            plane1Part = crossing(moved1, t, OBJECT_DOME_PLANE_1, on.geometric_normal);
             if t >= NO_HIT { plane1Part.leaves = planeContains(
                 pointBeyond(moved1),
                 vec3f(0.0, -1.0, 0.0),

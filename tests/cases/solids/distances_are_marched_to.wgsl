@@ -69,7 +69,7 @@ fn bittenSolid(ray: Ray) -> Crossing {
     );
     var ballsPart = notAsked();
     var pebble1Part = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if ballsPart.t <= rest.t_min {
             let t = smoothBalls(
                 moved0,
@@ -87,7 +87,7 @@ fn bittenSolid(ray: Ray) -> Crossing {
                 0.55,
                 0.5,
             );
-            ballsPart = crossing(moved0, t, OBJECT_BALLS, on.facet);
+            ballsPart = crossing(moved0, t, OBJECT_BALLS, on.geometric_normal);
         }
         if pebble1Part.t <= rest.t_min {
             let t = pebble(moved1, vec3f(-0.5, 0.0, -0.5), vec3f(0.5, 0.4, 0.5), 0.15);
@@ -97,7 +97,7 @@ fn bittenSolid(ray: Ray) -> Crossing {
                 vec3f(0.5, 0.4, 0.5),
                 0.15,
             );
-            pebble1Part = crossing(moved1, t, OBJECT_BITTEN_PEBBLE_1, on.facet);
+            pebble1Part = crossing(moved1, t, OBJECT_BITTEN_PEBBLE_1, on.geometric_normal);
         }
         let t = min(ballsPart.t, pebble1Part.t);
         if t >= NO_HIT { break; }

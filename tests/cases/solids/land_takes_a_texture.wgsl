@@ -52,16 +52,16 @@ fn valleySolid(ray: Ray) -> Crossing {
     var rest = ray;
     var landPart = notAsked();
     var craterPart = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if landPart.t <= rest.t_min {
             let t = landField(rest);
             let on = landFieldSurface(pointAt(rest, t));
-            landPart = crossing(rest, t, OBJECT_LAND, on.facet);
+            landPart = crossing(rest, t, OBJECT_LAND, on.geometric_normal);
         }
         if craterPart.t <= rest.t_min {
             let t = sphere(rest, vec3f(0.6, 0.8, 0.5), 0.7);
             let on = sphereSurface(pointAt(rest, t), vec3f(0.6, 0.8, 0.5), 0.7);
-            craterPart = crossing(rest, t, OBJECT_CRATER, on.facet);
+            craterPart = crossing(rest, t, OBJECT_CRATER, on.geometric_normal);
         }
         let t = min(landPart.t, craterPart.t);
         if t >= NO_HIT { break; }

@@ -44,7 +44,7 @@ fn dieSolid(ray: Ray) -> Crossing {
     var bodyPart = notAsked();
     var wellPart = notAsked();
     var cylinder2Part = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if bodyPart.t <= rest.t_min {
             bodyPart = bodySolid(rest);
         }
@@ -56,7 +56,7 @@ fn dieSolid(ray: Ray) -> Crossing {
                 vec3f(0.0, 2.0, 0.0),
                 0.6,
             );
-            wellPart = crossing(moved0, t, OBJECT_WELL, on.facet);
+            wellPart = crossing(moved0, t, OBJECT_WELL, on.geometric_normal);
         }
         if cylinder2Part.t <= rest.t_min {
             let t = cylinder(moved0, vec3f(-1.0, 1.0, 0.0), vec3f(1.0, 1.0, 0.0), 0.3);
@@ -66,7 +66,7 @@ fn dieSolid(ray: Ray) -> Crossing {
                 vec3f(1.0, 1.0, 0.0),
                 0.3,
             );
-            cylinder2Part = crossing(moved0, t, OBJECT_DIE_CYLINDER_2, on.facet);
+            cylinder2Part = crossing(moved0, t, OBJECT_DIE_CYLINDER_2, on.geometric_normal);
         }
         let t = min(min(bodyPart.t, wellPart.t), cylinder2Part.t);
         if t >= NO_HIT { break; }
@@ -107,16 +107,16 @@ fn bodySolid(ray: Ray) -> Crossing {
     );
     var box0Part = notAsked();
     var sphere1Part = notAsked();
-    for (var i = 0u; i < MOST_CROSSINGS; i++) {
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
         if box0Part.t <= rest.t_min {
             let t = box(moved0, vec3f(-1.0, 0.0, -1.0), vec3f(1.0, 2.0, 1.0));
             let on = boxSurface(pointAt(moved0, t), vec3f(-1.0, 0.0, -1.0), vec3f(1.0, 2.0, 1.0));
-            box0Part = crossing(moved0, t, OBJECT_BODY_BOX_0, on.facet);
+            box0Part = crossing(moved0, t, OBJECT_BODY_BOX_0, on.geometric_normal);
         }
         if sphere1Part.t <= rest.t_min {
             let t = sphere(moved0, vec3f(0.0, 1.0, 0.0), 1.35);
             let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 1.0, 0.0), 1.35);
-            sphere1Part = crossing(moved0, t, OBJECT_BODY_SPHERE_1, on.facet);
+            sphere1Part = crossing(moved0, t, OBJECT_BODY_SPHERE_1, on.geometric_normal);
         }
         let t = min(box0Part.t, sphere1Part.t);
         if t >= NO_HIT { break; }

@@ -288,7 +288,7 @@ fn an_isolated_object_is_alone_with_its_body() {
             let alone = whole.isolated(object).unwrap_or_else(|e| panic!("{e:?}"));
             assert_eq!(objects(&alone), body, "{object}");
             assert_eq!((alone.source.mode, alone.scene.camera), (mode, whole.scene.camera));
-            assert_eq!(alone.scene.objects, whole.scene.objects);
+            assert_eq!(alone.scene.primitives, whole.scene.primitives);
         }
         // Nothing shades the floor any more.
         let shadow = |compiled: &Compiled| view(gpu, compiled, View::Shadow).radiance;

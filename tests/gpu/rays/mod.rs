@@ -110,7 +110,7 @@ impl Subject {
         let probe = probe.unwrap_or_else(|error| panic!("{call}: {error}"));
         let shape = Shape::parse(call).unwrap_or_else(|why| panic!("{call}: {why}"));
         let middle = DVec3::from_array(shape.center().0);
-        let vectors: Vec<DVec3> = compiled.scene.objects[0].arguments.iter().filter_map(vector).collect();
+        let vectors: Vec<DVec3> = compiled.scene.primitives[0].arguments.iter().filter_map(vector).collect();
         let pairs = vectors.iter().flat_map(|a| vectors.iter().map(move |b| (*a, *b)));
         // A corner and two sides give three more corners; two corners of a box all eight.
         let mixed = pairs.clone().flat_map(|(a, b)| {

@@ -41,6 +41,6 @@ fn a_model_far_away_alone_has_its_place() {
     let sources = Sources::in_memory().with("a.ron", "(objects: [Mesh(file: \"a.obj\")])");
     let sources = sources.with("a.obj", &far_torus(FAR[2]));
     let compiled = expect_compiled(compile(&sources, "a.ron".as_ref(), Mode::Live, None));
-    let [x, y, z] = compiled.scene.objects[0].space.expect("it is moved");
+    let [x, y, z] = compiled.scene.primitives[0].space.expect("it is moved");
     assert_eq!([x[3], y[3], z[3]], [0.0, 0.0, -20_000.0]);
 }

@@ -85,7 +85,7 @@ fn a_picture_s_cost_is_told() {
     for words in ["a GPU of paper", "20.0 ms", "50 a second", "naga", "KB"] {
         assert!(studio.says(words), "{words}");
     }
-    let objects = studio.stage().panel.compiled().expect("there is a picture").scene.objects.len();
+    let objects = studio.stage().panel.compiled().expect("there is a picture").scene.primitives.len();
     assert!(studio.says(&objects.to_string()));
     assert!(!studio.has(Role::TreeItem, "ball"));
     studio.press("Scene");

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::Writer;
 use super::code::{Code, Lines};
 use super::names::Names;
-use super::objects::WrittenObject;
-use crate::ir::{Combination, Operation, Scene, Solid};
+use super::primitives::WrittenPrimitive;
+use crate::ir::{Csg, CsgOperation, Scene, Solid};
 
 /// A part as the function's local variable.
 struct Part {
@@ -18,37 +18,37 @@ struct Part {
     ray: String,
 }
 
-/// The functions of the combinations, by the author's names for them.
+/// The functions of CSG solids, by the author's names for them.
 pub fn function_names(scene: &Scene, names: &mut Names) -> BTreeMap<String, String> {
     let mut found = BTreeMap::new();
-    let mut open: Vec<&Solid> = scene.bodies.iter().rev().map(|body| &body.solid).collect();
+    let mut open: Vec<&Solid> = scene.objects.iter().rev().map(|object| &object.solid).collect();
     while let Some(solid) = open.pop() {
-        let Solid::Combination(combination) = solid else { continue };
-        found.insert(combination.name.clone(), names.function(&combination.name, "Solid"));
-        open.extend(combination.parts.iter().rev());
+        let Solid::Csg(csg) = solid else { continue };
+        found.insert(csg.name.clone(), names.function(&csg.name, "Solid"));
+        open.extend(csg.parts.iter().rev());
     }
     found
 }
 
 impl Writer<'_> {
     /// The functions of `solid` and of all its parts; nothing for a shape.
-    pub fn combinations(&self, solid: &Solid, objects: &[WrittenObject]) -> Lines {
+    pub fn csg_functions(&self, solid: &Solid, primitives: &[WrittenPrimitive]) -> Lines {
         let mut lines = Lines::default();
-        let Solid::Combination(combination) = solid else { return lines };
-        lines.extend(self.combination(combination, objects));
-        combination.parts.iter().for_each(|part| lines.extend(self.combinations(part, objects)));
+        let Solid::Csg(csg) = solid else { return lines };
+        lines.extend(self.csg(csg, primitives));
+        csg.parts.iter().for_each(|part| lines.extend(self.csg_functions(part, primitives)));
         lines
     }
 
-    fn combination(&self, combination: &Combination, objects: &[WrittenObject]) -> Lines {
+    fn csg(&self, csg: &Csg, primitives: &[WrittenPrimitive]) -> Lines {
         // A ray keeps its t in every space, so it is moved once.
         let mut spaces: Vec<&Code> = vec![];
-        let parts = self.parts(combination, objects, &mut spaces);
+        let parts = self.parts(csg, primitives, &mut spaces);
         let mut lines = Lines::default();
         lines.push("");
-        let head = format!("\"{}\": ", combination.name);
-        lines.push(self.caption(0, &head, &combination.caption).replacen("//", "///", 1));
-        lines.push(format!("fn {}(ray: Ray) -> Crossing {{", self.combination_names[&combination.name]));
+        let head = format!("\"{}\": ", csg.name);
+        lines.push(self.caption(0, &head, &csg.caption).replacen("//", "///", 1));
+        lines.push(format!("fn {}(ray: Ray) -> Crossing {{", self.csg_names[&csg.name]));
         lines.push("    var rest = ray;");
         for (i, space) in spaces.iter().enumerate() {
             let moved = Code::call("rayInto", [(*space).clone(), Code::atom("ray")]);
@@ -56,13 +56,13 @@ impl Writer<'_> {
         }
         parts.iter().for_each(|part| lines.push(format!("    var {} = notAsked();", part.name)));
         lines.push("    for (var i = 0u; i < MAX_CROSSINGS; i++) {");
-        for (part, solid) in parts.iter().zip(&combination.parts) {
+        for (part, solid) in parts.iter().zip(&csg.parts) {
             lines.push(format!("        if {}.t <= rest.t_min {{", part.name));
-            lines.extend(self.ask_part(part, solid, objects));
+            lines.extend(self.ask_part(part, solid, primitives));
             lines.push("        }");
         }
         let nearest = parts.iter().map(|part| Code::atom(format!("{}.t", part.name)));
-        let nearest = nearest.reduce(|a, b| Code::call("min", [a, b])).expect("a combination has parts");
+        let nearest = nearest.reduce(|a, b| Code::call("min", [a, b])).expect("a csg has parts");
         lines.statement(8, "let t = ", &nearest, ";");
         lines.push("        if t >= NO_HIT { break; }");
         lines.push("        rest.t_min = sameUpTo(rest, t);");
@@ -70,7 +70,7 @@ impl Writer<'_> {
         for part in &parts {
             lines.push(format!("        let {} = {}.t <= rest.t_min;", part.turns, part.name));
         }
-        let operation = combination.operation;
+        let operation = csg.operation;
         let leaves = |p: &Part| format!("{}.leaves", p.name);
         let outside = |p: &Part| format!("!{}.leaves", p.name);
         lines.extend(inside("before", operation, &parts, leaves, outside));
@@ -82,7 +82,7 @@ impl Writer<'_> {
         let object = object.reduce(|(other, _), (own, turns)| {
             (Code::call("select", [other, own, Code::atom(turns)]), turns)
         });
-        let object = object.expect("a combination has parts").0;
+        let object = object.expect("a csg has parts").0;
         let crossing = Code::call("Crossing", [Code::atom("t"), object, Code::atom("before")]);
         lines.statement(12, "return ", &crossing, ";");
         lines.push("        }");
@@ -95,15 +95,17 @@ impl Writer<'_> {
     /// The parts, and the spaces that they stand in.
     fn parts<'o>(
         &self,
-        combination: &Combination,
-        objects: &'o [WrittenObject],
+        csg: &Csg,
+        primitives: &'o [WrittenPrimitive],
         spaces: &mut Vec<&'o Code>,
     ) -> Vec<Part> {
         let mut names = Names::default();
         let part = |solid: &Solid| {
             let (name, space) = match solid {
-                Solid::Object(index) => (&self.scene.objects[*index].name, objects[*index].space.as_ref()),
-                Solid::Combination(inner) => (&inner.name, None),
+                Solid::Primitive(index) => {
+                    (&self.scene.primitives[*index].name, primitives[*index].space.as_ref())
+                }
+                Solid::Csg(inner) => (&inner.name, None),
             };
             let ray = space.map(|space| {
                 let known = spaces.iter().position(|other| *other == space);
@@ -113,35 +115,36 @@ impl Writer<'_> {
                 });
                 format!("moved{index}")
             });
-            let own = name.strip_prefix(&combination.name).unwrap_or(name);
+            let own = name.strip_prefix(&csg.name).unwrap_or(name);
             Part {
                 name: names.function(own, "Part"),
                 turns: names.function(own, "Turns"),
                 ray: ray.unwrap_or_else(|| "rest".into()),
             }
         };
-        combination.parts.iter().map(part).collect()
+        csg.parts.iter().map(part).collect()
     }
 
     /// The next crossing of a part with the rest of the ray.
-    fn ask_part(&self, part: &Part, solid: &Solid, objects: &[WrittenObject]) -> Lines {
+    fn ask_part(&self, part: &Part, solid: &Solid, primitives: &[WrittenPrimitive]) -> Lines {
         let mut lines = Lines::default();
         let Part { name, ray, .. } = part;
         let index = match solid {
-            Solid::Combination(inner) => {
-                lines.push(format!("            {name} = {}(rest);", self.combination_names[&inner.name]));
+            Solid::Csg(inner) => {
+                lines.push(format!("            {name} = {}(rest);", self.csg_names[&inner.name]));
                 return lines;
             }
-            Solid::Object(index) => *index,
+            Solid::Primitive(index) => *index,
         };
-        let written = &objects[index];
+        let written = &primitives[index];
         let t = self.on_shape(index, "", Code::atom(ray), written);
         lines.statement(12, "let t = ", &t, ";");
         let surface = self.on_shape(index, "Surface", Code::atom(format!("pointAt({ray}, t)")), written);
         lines.statement(12, "let on = ", &surface, ";");
-        let object = &self.object_names[index];
-        lines.push(format!("            {name} = crossing({ray}, t, {object}, on.geometric_normal);"));
-        if self.scene.objects[index].shape.traits.is_endless {
+        let arguments = [ray.as_str(), "t", &self.object_names[index], "on.geometric_normal"];
+        let crossing = Code::call("crossing", arguments.map(Code::atom));
+        lines.statement(12, &format!("{name} = "), &crossing, ";");
+        if self.scene.primitives[index].shape.traits.is_endless {
             let contains =
                 self.on_shape(index, "Contains", Code::atom(format!("pointBeyond({ray})")), written);
             lines.statement(12, &format!("if t >= NO_HIT {{ {name}.leaves = "), &contains, "; }");
@@ -154,14 +157,14 @@ impl Writer<'_> {
 /// that are cut away.
 fn inside(
     name: &str,
-    operation: Operation,
+    operation: CsgOperation,
     parts: &[Part],
     yes: impl Fn(&Part) -> String,
     no: impl Fn(&Part) -> String,
 ) -> Lines {
-    let cut = |i: usize| operation == Operation::Difference && i > 0;
+    let cut = |i: usize| operation == CsgOperation::Difference && i > 0;
     let terms = parts.iter().enumerate().map(|(i, part)| if cut(i) { no(part) } else { yes(part) });
-    let operator = if operation == Operation::Union { "||" } else { "&&" };
+    let operator = if operation == CsgOperation::Union { "||" } else { "&&" };
     let mut lines = Lines::default();
     lines.chain(8, &format!("let {name} = "), operator, &terms.collect::<Vec<_>>(), ";");
     lines
