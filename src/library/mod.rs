@@ -125,10 +125,9 @@ impl<'a> Library<'a> {
         stems.iter().map(|stem| function::name_of(stem)).filter(is_name).collect()
     }
 
-    /// The files beside the scene and below that end in one of `extensions`, as scenes write them, nearest
-    /// first.
+    /// The files in the scene's reach that end in one of `extensions`, as scenes write them, nearest first.
     pub fn files(&self, extensions: &[&str]) -> Vec<String> {
-        self.reach.files_below(extensions)
+        self.reach.files_near(extensions)
     }
 
     /// The picture in `file`, which lies beside the scene unless its path says otherwise, as `reading` says.

@@ -124,8 +124,10 @@ impl Writer<'_> {
             }
             (Wants::Name, None) => Control::Text { value: String::new() },
             (Wants::Name, Some(Kind::Text(value))) => Control::Text { value: value.clone() },
-            (Wants::File, None) => Control::File { value: String::new() },
-            (Wants::File, Some(Kind::Text(value))) => Control::File { value: value.clone() },
+            (Wants::File(extensions), None) => Control::File { value: String::new(), extensions },
+            (Wants::File(extensions), Some(Kind::Text(value))) => {
+                Control::File { value: value.clone(), extensions }
+            }
             (Wants::Material, None | Some(Kind::Record(Record { name: None, .. }))) => {
                 Control::Group { fields: self.table(MATERIAL, value, path) }
             }

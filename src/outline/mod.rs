@@ -131,6 +131,8 @@ pub enum Control {
     /// A file beside the scene; empty where it is left out.
     File {
         value: String,
+        /// In which such files end.
+        extensions: &'static [&'static str],
     },
     /// One of [`Field::declared`], unless it is a mistake.
     Reference {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::assets::{Image, Model};
 use crate::ir::fields::{FORMS, Field, Group, LIGHTS, OPERATIONS, Takes};
 use crate::library::{Family, Kind, Library, Parameter, Type};
 use crate::scene::{self, Path, Value};
@@ -79,11 +80,11 @@ pub fn needed_file(role: Role, name: &str, library: &Library<'_>) -> Option<Need
     if let Some(group) = role.group(name) {
         let is_file = |field: &&Field| matches!(field.takes, Takes::File) && field.is_required;
         let field = group.fields.iter().find(is_file)?.name.to_owned();
-        return Some(Needed { field, noun: "picture", extensions: &["png", "jpg", "jpeg", "hdr", "exr"] });
+        return Some(Needed { field, noun: "picture", extensions: Image::EXTENSIONS });
     }
     let function = library.find(role.family()?, name).ok()?;
     let field = function.parameters.iter().find(|parameter| parameter.ty == Type::Model)?.name.clone();
-    Some(Needed { field, noun: "model", extensions: &["obj", "glb"] })
+    Some(Needed { field, noun: "model", extensions: Model::EXTENSIONS })
 }
 
 /// RON text with `name` and no more than it must be given, to be put into a scene; None for a name that

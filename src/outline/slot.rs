@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use super::ColorStyle;
+use crate::assets::{Image, Model};
 use crate::ir::fields::{Choice, Field, Number, Takes};
 use crate::library::{Const, Parameter, Type};
 
@@ -45,7 +46,8 @@ pub enum Wants {
     /// The names of a parameter's values, and which is the default.
     Named(Vec<String>, Option<usize>),
     Name,
-    File,
+    /// In which such files end.
+    File(&'static [&'static str]),
     Mapping,
     Material,
     Group(&'static [Field]),
@@ -68,7 +70,7 @@ impl Slot<'static> {
             Takes::Flag { default } => Wants::Flag { default: Some(default) },
             Takes::Choice(choices) => Wants::Choice(choices),
             Takes::Name => Wants::Name,
-            Takes::File => Wants::File,
+            Takes::File => Wants::File(Image::EXTENSIONS),
             Takes::Mapping => Wants::Mapping,
             Takes::Material => Wants::Material,
             Takes::Group(fields) => Wants::Group(fields),
@@ -91,7 +93,7 @@ impl<'a> Slot<'a> {
                 let words = parameter.choices.iter().map(|choice| capitalized(choice)).collect();
                 Wants::Named(words, numbers.map(|n| n[0] as usize))
             }
-            Type::Model => Wants::File,
+            Type::Model => Wants::File(Model::EXTENSIONS),
             Type::Bool => Wants::Flag { default: numbers.map(|n| n[0] != 0.0) },
             Type::F32 | Type::I32 | Type::U32 => {
                 let is_whole = ty != Type::F32;

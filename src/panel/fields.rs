@@ -17,6 +17,8 @@ pub struct Fields<'a> {
     /// RON text of a texture or mapping with no more than it must be given; None where a file for it is
     /// missing.
     pub example: &'a dyn Fn(&str) -> Option<String>,
+    /// The files in the scene's reach that end in one of these, as the scene writes them.
+    pub files: &'a dyn Fn(&[&str]) -> Vec<String>,
     /// What makes another texture of the one in a field, by its name.
     pub becomes: &'a dyn Fn(&Field, &str) -> Vec<Edit>,
 }
@@ -145,7 +147,13 @@ impl Fields<'_> {
                     self.set(field, NewValue::Text(name));
                 }
             }
-            Control::Text { value } | Control::File { value } => {
+            Control::File { value, extensions } => {
+                let files = || (self.files)(extensions);
+                if let Some(file) = widgets::file(ui, (&field.label, &field.path), value, files) {
+                    self.set(field, NewValue::Text(file));
+                }
+            }
+            Control::Text { value } => {
                 if let Some(text) = widgets::text(ui, &field.path, value) {
                     self.set(field, NewValue::Text(text));
                 }

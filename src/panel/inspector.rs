@@ -83,7 +83,8 @@ impl Panel {
             None => vec![],
         };
         let (edits, pending) = (&mut deeds.edits, &self.pending);
-        let mut fields = Fields { edits, pending, example: &texture, becomes: &becomes };
+        let files = |extensions: &[&str]| with_library(place.0, place.1, |library| library.files(extensions));
+        let mut fields = Fields { edits, pending, example: &texture, files: &files, becomes: &becomes };
         widgets::group(ui, &node.label, |ui| fields.show(ui, &node.fields));
         if node.kind == NodeKind::Camera {
             self.bookmarks(ui);
@@ -143,7 +144,7 @@ impl Panel {
 ///
 /// # Errors
 /// Which file is missing for it.
-fn example(disk: &Disk, scene: &Path, role: Role, name: &str) -> Result<String, String> {
+pub fn example(disk: &Disk, scene: &Path, role: Role, name: &str) -> Result<String, String> {
     with_library(disk, scene, |library| {
         let needed = outline::needed_file(role, name, library);
         match needed.filter(|needed| library.files(needed.extensions).is_empty()) {

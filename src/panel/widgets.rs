@@ -1,9 +1,11 @@
-//! A number, a vector, a color and a text, as widgets that say whether the hand has changed them.
+//! A number, a vector, a color, a text and a file, as widgets that say whether the hand has changed them.
+
+use std::sync::Arc;
 
 use egui::accesskit::Role;
 use egui::color_picker::{Alpha, color_edit_button_hsva};
 use egui::ecolor::Hsva;
-use egui::{Color32, Key, Response, RichText, Slider, SliderClamping, Ui, UiBuilder};
+use egui::{Align, Color32, Key, Layout, Response, RichText, Slider, SliderClamping, Ui, UiBuilder};
 use glam::Vec3;
 
 use crate::library::parse_color;
@@ -140,6 +142,40 @@ pub fn text(ui: &mut Ui, path: &Path, value: &str) -> Option<String> {
     ui.data_mut(|data| data.remove::<String>(id));
     let gives_up = ui.input(|input| input.key_pressed(Key::Escape));
     (response.lost_focus() && !gives_up && text != value).then_some(text)
+}
+
+/// A file of the scene, typed or chosen among `files`, which are looked up when the menu opens.
+pub fn file(
+    ui: &mut Ui,
+    (name, path): (&str, &Path),
+    value: &str,
+    files: impl Fn() -> Vec<String>,
+) -> Option<String> {
+    let mut chosen = None;
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        let id = egui::Id::unique(format!("files for {path}"));
+        let menu = egui::ComboBox::from_id_salt(id).width(0.0).selected_text("");
+        let menu = menu.show_ui(ui, |ui| {
+            let found =
+                ui.data_mut(|data| data.get_temp_mut_or_insert_with(id, || Arc::new(files())).clone());
+            if found.is_empty() {
+                ui.label(RichText::new("no such file beside the scene").weak());
+            }
+            for file in found.iter() {
+                if ui.selectable_label(file == value, file).clicked() && file != value {
+                    chosen = Some(file.clone());
+                }
+            }
+        });
+        if menu.inner.is_none() {
+            ui.data_mut(|data| data.remove::<Arc<Vec<String>>>(id));
+        }
+        menu.response.accessible_name(format!("files for {name}"));
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            chosen = text(ui, path, value).or(chosen.take());
+        });
+    });
+    chosen
 }
 
 /// Lays out what belongs to what is called `name`.

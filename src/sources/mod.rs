@@ -3,8 +3,8 @@
 //! In: paths. Out: their texts, and the names by which messages call them. A scene's own files are read
 //! through its [`Reach`], which refuses what lies outside of the scene's root.
 
-mod below;
 mod disk;
+mod near;
 mod reach;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -4,7 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use raytoy::assets::Model;
 use raytoy::compile;
+use raytoy::library::Library;
 use raytoy::sources::{Disk, Sources};
 use raytoy::wgsl::Mode;
 use tempfile::TempDir;
@@ -188,4 +190,31 @@ fn each_command_that_takes_a_scene_takes_its_root() {
     let refused = raytoy(&["check", "scenes/a.ron", "--root", "../elsewhere"]);
     let told = String::from_utf8_lossy(&refused.stderr);
     assert_eq!(told, "raytoy: `scenes/a.ron` is outside of the root folder `../elsewhere`\n");
+}
+
+#[test]
+fn the_files_that_are_offered_are_those_that_a_scene_may_name() {
+    let world = World::new();
+    for folder in ["project/scenes/deep/er/est/still", "project/.git", "project/models"] {
+        fs::create_dir_all(world.path(folder)).expect("the folder is writable");
+    }
+    for file in ["models/c.OBJ", "scenes/deep/er/est/d.obj", "scenes/deep/er/est/still/e.obj", ".git/f.obj"] {
+        world.write(&format!("project/{file}"), TRIANGLE);
+    }
+    let offered = |root: Option<&str>, scene: &str| {
+        let disk = Disk {
+            here: world.path("project"),
+            named_root: root.map(|root| world.path("project").join(root)),
+        };
+        Library::new(&disk.sources(), Path::new(scene)).files(Model::EXTENSIONS)
+    };
+    let near = ["models/a.obj", "../models/c.OBJ", "deep/er/est/d.obj"];
+    assert_eq!(offered(None, "scenes"), near);
+    for file in near {
+        assert_eq!(world.told(file, None), "", "{file}");
+    }
+    let wide = offered(Some(".."), "scenes");
+    assert!(wide.contains(&"../../elsewhere/a.obj".into()), "{wide:?}");
+    assert_eq!(world.told("../../elsewhere/a.obj", Some("..")), "");
+    assert_eq!(offered(None, ""), ["models/c.OBJ", "scenes/models/a.obj"]);
 }

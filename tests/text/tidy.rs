@@ -16,7 +16,7 @@ const IMPORTS: &[(&str, &[&str])] = &[
     ("library", &["assets", "diagnostic", "sources"]),
     ("ir/resolve", &["assets", "diagnostic", "library", "scene"]),
     ("ir", &["assets", "library"]),
-    ("outline", &["ir", "library", "scene"]),
+    ("outline", &["assets", "ir", "library", "scene"]),
     ("wgsl", &["ir", "library"]),
     ("module", &["diagnostic", "wgsl"]),
     ("frame", &["assets", "ir"]),

@@ -66,6 +66,9 @@ pub struct Level {
 const LONGEST: u32 = 8192;
 
 impl Image {
+    /// In which such files end.
+    pub const EXTENSIONS: &'static [&'static str] = &["png", "jpg", "jpeg", "hdr", "exr"];
+
     /// Decodes PNG, JPEG, Radiance HDR or OpenEXR, whatever the file is called; `digest` is of `bytes`.
     ///
     /// # Errors

@@ -70,6 +70,9 @@ const MAX_COORDINATE: f64 = 1e9;
 const MAX_REMOTE: f64 = 8.0;
 
 impl Model {
+    /// In which such files end.
+    pub const EXTENSIONS: &'static [&'static str] = &["obj", "glb", "gltf"];
+
     /// Reads OBJ or glTF.
     ///
     /// # Errors

@@ -73,7 +73,7 @@ fn buttons(ui: &mut Ui, definition: &Definition, copied: &mut Option<String>) ->
             ui.label(RichText::new("copied").weak().size(11.0));
         }
     });
-    adds.then(|| Deed::Add(call.clone()))
+    adds.then(|| Deed::Add(function.name.clone()))
 }
 
 fn kind(function: &Function) -> String {

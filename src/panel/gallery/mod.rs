@@ -14,11 +14,12 @@ use std::sync::Arc;
 use egui::{Color32, Frame, Id, Modal, TextureHandle, Ui, Vec2};
 
 use self::query::Query;
+use super::inspector::example;
 use super::scenes::{full_name, neighbours, stem};
 use super::{Deeds, Leaving, Panel};
 use crate::edit::Edit;
 use crate::engine::thumbnails::{Item, News, Subject, Thumbnail, Wish};
-use crate::outline::NodeKind;
+use crate::outline::{NodeKind, Role};
 
 /// Points: how wide the sheet is at most, and what stays free around it.
 const WIDTH: f32 = 1240.0;
@@ -46,7 +47,7 @@ enum Hung {
 enum Deed {
     Close,
     Open(PathBuf),
-    /// RON text of one more object.
+    /// One more object, by its shape.
     Add(String),
 }
 
@@ -118,7 +119,7 @@ impl Panel {
             }
             match shown.inner {
                 Some(Deed::Open(scene)) if scene != self.scene => self.leave(Leaving::Open(scene)),
-                Some(Deed::Add(item)) => self.add_object(item, deeds),
+                Some(Deed::Add(shape)) => self.add_object(&shape, deeds),
                 _ => {}
             }
         }
@@ -133,7 +134,14 @@ impl Panel {
         Wish::List { folder, scenes: here.chain(elsewhere).collect() }
     }
 
-    fn add_object(&mut self, item: String, deeds: &mut Deeds) {
+    fn add_object(&mut self, shape: &str, deeds: &mut Deeds) {
+        let item = match example(&self.disk, &self.scene, Role::Solid, shape) {
+            Ok(item) => item,
+            Err(why) => {
+                self.notice = Some(why);
+                return;
+            }
+        };
         let Some((outline, _)) = &self.outline else { return };
         let Some(objects) = outline.nodes.iter().find(|node| node.kind == NodeKind::Objects) else { return };
         let (list, index) = (objects.path.clone(), objects.nodes.len());

@@ -155,3 +155,22 @@ fn a_scene_with_mistakes_says_so_and_others_have_pictures() {
     assert_eq!(marked(&studio), ["broken"]);
     assert!(studio.says("there is no shape `Spere`"));
 }
+
+#[test]
+fn a_model_is_added_where_one_is_there() {
+    let add = |studio: &mut Studio| {
+        studio.key(Modifiers::COMMAND, Key::O);
+        studio.type_text("mesh");
+        studio.click(Role::ListBoxOption, "Mesh");
+        studio.press("Add");
+    };
+    let mut studio = Studio::open(SCENE);
+    add(&mut studio);
+    assert_eq!(studio.text(), SCENE);
+    assert!(studio.says("Mesh shows a model: put a file (.obj, .glb, .gltf) into the scene's folder first"));
+    let files = [("scene.ron", SCENE), ("models/one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")];
+    let mut studio = Studio::open_among(&files, Default::default());
+    add(&mut studio);
+    assert!(studio.text().contains("        Mesh(file: \"models/one.obj\"),\n"), "{}", studio.text());
+    assert!(!studio.has(Role::Alert, "mistakes"));
+}

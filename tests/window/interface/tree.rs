@@ -167,7 +167,7 @@ fn a_model_is_one_that_is_there() {
     let mut studio = Studio::open(scene);
     studio.pick((Role::Button, "add to objects"), "Mesh");
     assert_eq!(studio.text(), scene);
-    assert!(studio.says("Mesh shows a model: put a file (.obj, .glb) into the scene's folder first"));
+    assert!(studio.says("Mesh shows a model: put a file (.obj, .glb, .gltf) into the scene's folder first"));
     studio.choose(tree(&studio)[7].trim());
     studio.pick((Role::ComboBox, "kind"), "Mesh");
     assert_eq!(studio.text(), scene);

@@ -375,3 +375,38 @@ fn a_file_is_named_in_a_field() {
     studio.fill(Role::TextInput, "file", "other.obj");
     assert_eq!(studio.text(), "(objects: [Mesh(name: \"thing\", file: \"other.obj\")])\n");
 }
+
+#[test]
+fn a_file_is_chosen_among_those_that_are_there() {
+    let cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let pixel = "P3 1 1 1 0 0 0";
+    let others = [
+        ("a.obj", cube),
+        ("models/B.OBJ", cube),
+        ("models/c.gltf", "{}"),
+        ("notes.txt", ""),
+        ("p.png", pixel),
+        ("maps/q.JPEG", pixel),
+        (".hidden/d.obj", cube),
+    ];
+    for (scene, offered, chosen) in [
+        ("Mesh(file: \"a.obj\")", "a.obj models/B.OBJ models/c.gltf", "models/B.OBJ"),
+        ("Mesh(file: \"gone.obj\")", "a.obj models/B.OBJ models/c.gltf", "a.obj"),
+        ("Sphere(material: (color: Image(file: \"p.png\")))", "p.png maps/q.JPEG", "maps/q.JPEG"),
+    ] {
+        let text = format!("(objects: [{scene}])\n");
+        let files = [&[("scene.ron", text.as_str())][..], &others].concat();
+        let mut studio = Studio::open_among(&files, Default::default());
+        studio.choose(if scene.starts_with("Mesh") { "Mesh 0" } else { "Sphere 0" });
+        let menu = (Role::ComboBox, "files for file");
+        studio.click(menu.0, menu.1);
+        let lines = studio.lines(&studio.find(menu.0, menu.1)).join(" ");
+        let lines = lines.replace("ListBox ", "").replace("Button ", "").replace(" (on)", "");
+        assert_eq!(lines, offered);
+        studio.key(Modifiers::NONE, Key::Escape);
+        assert_eq!(studio.text(), text, "who only looks changes nothing");
+        studio.pick(menu, chosen);
+        let file = scene.split('"').nth(1).expect("it names a file");
+        assert_eq!(studio.text(), text.replace(file, chosen));
+    }
+}
