@@ -50,7 +50,7 @@ impl Draft {
     /// Where one of the two cannot be written, or `path` is no place for a file.
     pub fn beside(path: &Path) -> io::Result<Self> {
         if is_special(path) {
-            return Err(io::Error::other("it is no file"));
+            return Err(io::Error::other("it is not a file"));
         }
         // A link stays one: what it leads to is replaced.
         let place = if path.is_symlink() { fs::canonicalize(path)? } else { path.to_owned() };

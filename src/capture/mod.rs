@@ -195,7 +195,7 @@ impl std::fmt::Display for CaptureError {
             CaptureError::File(path, error) => write!(f, "cannot write `{}`: {error}", path.display()),
             CaptureError::Output(error) => write!(f, "cannot write the picture: {error}"),
             CaptureError::NoFfmpeg => f.write_str(
-                "movies are made by ffmpeg, which is not installed\n  \
+                "movies need ffmpeg, which is not installed\n  \
                  Debian, Ubuntu  apt install ffmpeg\n  \
                  Fedora          dnf install ffmpeg, from rpmfusion.org\n  \
                  Arch            pacman -S ffmpeg\n  \

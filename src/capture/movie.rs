@@ -70,12 +70,12 @@ impl MovieFormat {
         if self == MovieFormat::Mp4 && !(width % 2 == 0 && height % 2 == 0) {
             let even = [width, height].map(|n| n.next_multiple_of(2));
             return Err(CaptureError::Format(format!(
-                "width and height of an .mp4 movie are even: {}x{} instead of {width}x{height}",
+                "width and height of an .mp4 movie must be even: {}x{} instead of {width}x{height}",
                 even[0], even[1]
             )));
         }
         if self == MovieFormat::Gif && rate > FASTEST_GIF {
-            let why = format!("a .gif movie has at most {FASTEST_GIF} frames a second, not {rate}");
+            let why = format!("a .gif movie has at most {FASTEST_GIF} frames per second, not {rate}");
             return Err(CaptureError::Format(why));
         }
         Ok(())

@@ -151,7 +151,7 @@ impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Refusal::Syntax(problems) => {
-                let first = problems.first().map_or("the text is no scene", |p| p.message.as_str());
+                let first = problems.first().map_or("the text is not a scene", |p| p.message.as_str());
                 write!(f, "the scene cannot be read: {first}")
             }
             Refusal::NotThere(path) => write!(f, "the scene has no place for `{path}`"),

@@ -146,7 +146,7 @@ pub fn rename(text: &str, path: &Path, name: &str, keep: &[String]) -> Result<Te
     let unfit = |why| Refusal::Unfit { path: path.clone(), why };
     let is_name = change::parsed(name).map_err(unfit)?.kind;
     if !matches!(&is_name, Kind::Record(r) if r.name.as_ref().is_some_and(|n| n.text == name)) {
-        return Err(unfit(format!("`{name}` is no name")));
+        return Err(unfit(format!("`{name}` is not a valid name")));
     }
     let value = root.at(path).ok_or_else(|| Refusal::NotThere(path.clone()))?;
     let Kind::Record(Record { name: Some(old), fields, .. }) = &value.kind else {

@@ -47,10 +47,10 @@ impl Trial {
     /// What to say of a version that is not to be drawn again.
     pub fn verdict(&self, compiled: &Compiled) -> Option<Report> {
         let (_, why) = self.guilty.as_ref().filter(|(guilty, _)| is_same(guilty, compiled))?;
-        let message = "the GPU was lost when it drew this version of the scene for the first time";
+        let message = "the GPU stopped when it first drew this version of the scene";
         let problem = Diagnostic::error(message)
-            .help(format!("its driver says: {}", why.trim()))
-            .help("if the scene is not to blame, change anything, be it a comment, and it is drawn again");
+            .help(format!("message of the driver: {}", why.trim()))
+            .help("if the scene is not the reason, save any change, even a comment, to draw it again");
         Some(Report { diagnostics: vec![problem], ..Report::default() })
     }
 }

@@ -75,11 +75,11 @@ impl std::fmt::Display for ExportError {
                 let files: Vec<String> = files.iter().map(|file| format!("`{file}`")).collect();
                 write!(
                     f,
-                    "a Shadertoy cannot be given images and models from files: leave out what uses {}",
+                    "Shadertoy cannot read images and models from files: remove everything that uses {}",
                     files.join(", ")
                 )
             }
-            ExportError::Refused(why) => write!(f, "the scene cannot stand on its own: {why}"),
+            ExportError::Refused(why) => write!(f, "the scene cannot be exported: {why}"),
         }
     }
 }

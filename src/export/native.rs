@@ -91,7 +91,7 @@ fn with_own_sampler(text: String, alone: &Standalone) -> Result<String, ExportEr
         return Ok(text);
     }
     if text.matches(HEAP).count() != 1 {
-        return Err(refused("naga writes samplers in a way that is not known here"));
+        return Err(refused("naga wrote the samplers in an unexpected way"));
     }
     Ok(text.replacen(HEAP, OWN_SAMPLER, 1))
 }

@@ -68,7 +68,7 @@ pub fn glsl(scene: &Scene, alone: &Standalone) -> Result<String, ExportError> {
     for (from, to) in CHANGES {
         // naga gives another name to what would be called as something before it.
         if text.matches(from).count() != 1 {
-            let why = "one of its textures or shapes uses a name that Shadertoy has taken, such as `iTime`";
+            let why = "a texture or shape uses a name that belongs to Shadertoy, such as `iTime`";
             return Err(ExportError::Refused(why.into()));
         }
         text = text.replacen(from, to, 1);

@@ -75,7 +75,7 @@ fn none_called(name: &str, others: &[wgpu::Adapter]) -> String {
     known.dedup();
     match known.is_empty() {
         true => format!("no GPU and no software driver was found\n{}", advice()),
-        false => format!("no adapter has `{name}` in its name; there are\n{}", known.join("\n")),
+        false => format!("no GPU has `{name}` in its name; the GPUs are\n{}", known.join("\n")),
     }
 }
 

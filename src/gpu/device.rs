@@ -39,7 +39,7 @@ impl std::fmt::Display for GpuError {
         match self {
             GpuError::NoAdapter(why) => f.write_str(why),
             GpuError::Refused(why) => write!(f, "the GPU's driver refuses: {why}"),
-            GpuError::Lost(why) => write!(f, "the GPU does not answer: {why}"),
+            GpuError::Lost(why) => write!(f, "the GPU does not respond: {why}"),
             GpuError::Unguarded(place) => write!(
                 f,
                 "internal error: the loop at {place} has no guard, and could keep the GPU for ever; \
@@ -116,7 +116,7 @@ impl Gpu {
         gpu.device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             if !lost.load(Ordering::Relaxed) {
                 let told = GpuError::Refused(match error {
-                    wgpu::Error::OutOfMemory { .. } => "it has no memory left for this".into(),
+                    wgpu::Error::OutOfMemory { .. } => "it does not have enough memory".into(),
                     other => other.to_string(),
                 });
                 trouble.lock().expect("no holder panics").get_or_insert(told);

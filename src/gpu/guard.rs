@@ -28,7 +28,7 @@ impl Guard {
         if can_tell || compiled.module.loops().is_empty() {
             return Ok(());
         }
-        let why = "it cannot tell of loops that do not end, and a snippet beside the scene has loops";
+        let why = "it cannot stop endless loops, and a texture or shape of the scene has loops";
         Err(GpuError::Refused(why.into()))
     }
 

@@ -82,7 +82,8 @@ impl Renderer {
     /// Where the driver refuses the scene, or no picture has this size.
     pub fn new(gpu: &Gpu, compiled: &Compiled, size: [u32; 2]) -> Result<Self, GpuError> {
         if size.iter().any(|n| !(1..=MAX_SIDE).contains(n)) {
-            let why = format!("pictures go from 1x1 to {MAX_SIDE}x{MAX_SIDE}, not {}x{}", size[0], size[1]);
+            let why =
+                format!("pictures are from 1x1 to {MAX_SIDE}x{MAX_SIDE} pixels, not {}x{}", size[0], size[1]);
             return Err(GpuError::Refused(why));
         }
         let start = Instant::now();

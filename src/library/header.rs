@@ -57,7 +57,10 @@ impl<'a> Header<'a> {
             };
             let missing = Diagnostic::error(format!("the file has no function `{}`", self.wgsl_name))
                 .at(self.place(0..0), "")
-                .help(format!("a {noun}'s file and function share a name: `fn {}{example}`", self.wgsl_name));
+                .help(format!(
+                    "the function of a {noun} is named like its file: `fn {}{example}`",
+                    self.wgsl_name
+                ));
             problems.push(missing);
             return None;
         };
@@ -208,7 +211,7 @@ impl<'a> Header<'a> {
             let better = format!("{}{}", self.wgsl_name, function::name_of(name));
             Diagnostic::error(format!("the helper `{name}` must begin with `{}`", self.wgsl_name))
                 .at(self.place(helper.span()), "")
-                .help(format!("call it `{better}`, so that it cannot meet another file's"))
+                .help(format!("call it `{better}`, so that it cannot clash with another file"))
         };
         helpers.map(wrong).collect()
     }

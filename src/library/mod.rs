@@ -174,8 +174,8 @@ impl<'a> Library<'a> {
     fn file(&self, file: &str) -> Result<(String, u64, Arc<[u8]>), Diagnostic> {
         if file.contains('\\') {
             let better = file.replace('\\', "/");
-            let problem = Diagnostic::error("`\\` is no part of a file's name on every system");
-            return Err(problem.help(format!("write `/`, on Windows too: `{better}`")));
+            let problem = Diagnostic::error("`\\` separates folders only on Windows");
+            return Err(problem.help(format!("write `/` on all systems: `{better}`")));
         }
         let path = self.reach.folder().join(file);
         let bytes = self.reach.bytes(&path)?;
@@ -202,7 +202,8 @@ impl<'a> Library<'a> {
             if let Some(path) = paths.find(|path| self.reach.read(path) != Answer::Missing) {
                 let (text, file) = (self.reach.text(&path)?, self.sources.name(&path));
                 if built_in.is_some_and(|b| b != &*text) {
-                    let what = format!("this hides the {} that ships with raytoy", family.noun());
+                    let what =
+                        format!("this replaces the {} of this name that comes with raytoy", family.noun());
                     let warning = Diagnostic::warning(what)
                         .at(Place { file: file.clone(), span: 0..0 }, "")
                         .help(format!("rename the file and its function to keep both `{name}`s"));

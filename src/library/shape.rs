@@ -9,7 +9,7 @@ use super::{Family, Parameter, Type};
 use crate::diagnostic::Diagnostic;
 
 /// A shape whose docs have a line that starts so cannot be a part of another.
-const OPEN: &str = "encloses nothing";
+const OPEN: &str = "has no inside";
 /// A doc line that starts so names the shape's points: it moves as they move together.
 const POINTS: &str = "moves with ";
 
@@ -34,20 +34,34 @@ impl<'a> Header<'a> {
         let is_distance = self.is_distance();
         let is_open = docs.iter().any(|(line, _)| line.starts_with(OPEN));
         if is_distance {
-            self.sibling("Bounds", &[], own, "Bounds", "it holds the shape: rays march inside", problems);
+            self.sibling(
+                "Bounds",
+                &[],
+                own,
+                "Bounds",
+                "it returns a box around the shape: rays march inside the box",
+                problems,
+            );
         }
         let has_surface = !is_distance || self.signature(&format!("{}Surface", self.wgsl_name)).is_some();
         if has_surface {
-            let gives = "it gives the outward normal and uv at a point of the surface";
+            let gives = "it returns the outward normal and uv at a point of the surface";
             self.sibling("Surface", &["p: vec3f"], own, "Surface", gives, problems);
         }
         let is_endless = self.signature(&format!("{}Contains", self.wgsl_name)).is_some();
         if is_endless {
-            self.sibling("Contains", &["p: vec3f"], own, "bool", "it tells inside from outside", problems);
+            self.sibling(
+                "Contains",
+                &["p: vec3f"],
+                own,
+                "bool",
+                "it returns true for points inside the shape",
+                problems,
+            );
         }
         let places_textures = self.signature(&format!("{}TexturePoint", self.wgsl_name)).is_some();
         if places_textures {
-            let gives = "it gives the point at which the textures that shape it are asked for";
+            let gives = "it returns the point at which the shape evaluates its textures";
             self.sibling("TexturePoint", &["p: vec3f"], &[], "vec3f", gives, problems);
         }
         Traits { is_open, is_endless, is_distance, places_textures, has_surface }
@@ -73,9 +87,10 @@ impl<'a> Header<'a> {
                         found.is_point = true;
                     }
                     Some(_) => {
-                        let message = format!("`{name}` is no point that `{}` moves with", self.wgsl_name);
+                        let message = format!("`{name}` is not a point parameter of `{}`", self.wgsl_name);
                         problems.push(
-                            wrong(message).help("points are `vec3f`, and neither colors nor directions"),
+                            wrong(message)
+                                .help("points have the type `vec3f`, and are neither colors nor directions"),
                         );
                     }
                     None => {
@@ -110,7 +125,8 @@ impl<'a> Header<'a> {
         if !agrees {
             let parameters: Vec<&str> =
                 first.iter().copied().chain(expected.iter().map(String::as_str)).collect();
-            let message = format!("the shape lacks `fn {name}({}) -> {returns}`", parameters.join(", "));
+            let message =
+                format!("the shape needs a function `fn {name}({}) -> {returns}`", parameters.join(", "));
             let at = signature.map_or(0..0, |found| found.head);
             problems.push(Diagnostic::error(message).at(self.place(at), "").help(gives));
         }

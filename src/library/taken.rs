@@ -40,15 +40,15 @@ pub fn owner(name: &str) -> Option<String> {
     let is_in = |names: &str| names.split_whitespace().any(|taken| taken == name);
     if is_in(FUNCTIONS) || is_in(TYPES) {
         let noun = if is_in(TYPES) { "type" } else { "function" };
-        return Some(format!("WGSL has a {noun} of that name"));
+        return Some(format!("WGSL has a {noun} of this name"));
     }
     if let Some(file) = SHADERS.get(name) {
-        return Some(format!("raytoy has it in {file}"));
+        return Some(format!("raytoy uses this name in {file}"));
     }
     if is_in(GENERATED) {
-        return Some("raytoy writes something of that name for each scene".into());
+        return Some("raytoy uses this name in the shader of each scene".into());
     }
-    is_in(EXPORTED).then(|| "exports have something of that name".into())
+    is_in(EXPORTED).then(|| "exports use this name".into())
 }
 
 /// All that the files in shaders/ declare, but for the shapes: those may be hidden by an author's.

@@ -55,7 +55,7 @@ pub fn problems(header: &Header<'_>) -> Vec<Diagnostic> {
         return vec![
             Diagnostic::error(format!("brackets are nested more than {DEEPEST} deep"))
                 .at(header.place(token.span()), "")
-                .help("give a part of it a name: `let part = …;`"),
+                .help("give a part of the expression a name: `let part = …;`"),
         ];
     }
     let mut problems: Vec<Diagnostic> =
@@ -67,9 +67,9 @@ pub fn problems(header: &Header<'_>) -> Vec<Diagnostic> {
     }
     problems.extend(header.tokens.all.windows(2).filter_map(|pair| of_word(header, &pair[0], &pair[1])));
     problems.extend(mixing::mixed(&header.tokens.all).into_iter().map(|(first, second, token)| {
-        Diagnostic::error(format!("`{first}` and `{second}` need brackets between them"))
+        Diagnostic::error(format!("`{first}` and `{second}` need brackets to show which comes first"))
             .at(header.place(token.span()), "")
-            .help("Chrome and WGSL itself refuse this: put brackets around the part that comes first")
+            .help("WGSL forbids this without brackets: put brackets around the part that comes first")
     }));
     problems
 }
@@ -88,21 +88,25 @@ fn of_declaration(header: &Header<'_>, declaration: &Declaration<'_>) -> Option<
     let is_private = space.is_some_and(|s| s.is("private"));
     if let Some(binding) = has(&["group", "binding", "id"]).filter(|_| !keyword.is("override")) {
         let problem = error(format!("a {} has no bindings", header.family.noun()), binding);
-        return Some(problem.help("`frame.time`, `frame.mouse` and `frame.resolution` are at hand"));
+        return Some(problem.help("you can use `frame.time`, `frame.mouse` and `frame.resolution`"));
     }
     if keyword.is("var") && !is_private {
         let message = "a variable outside of functions must be `var<private>`".to_owned();
-        return Some(error(message, space.unwrap_or(keyword)).help("a value that stays is a `const`"));
+        return Some(
+            error(message, space.unwrap_or(keyword)).help("for a value that does not change, write `const`"),
+        );
     }
     if keyword.is("override") {
-        let message = "nobody gives an `override` its value".to_owned();
+        let message = "an `override` never gets a value here".to_owned();
         let problem = error(message, keyword).help("write `const` instead of `override`");
-        return Some(problem.help("what a scene may set is a parameter of the function"));
+        return Some(problem.help("for a value that scenes set, add a parameter to the function"));
     }
     if ["enable", "requires", "diagnostic"].contains(&keyword.text) {
-        let message =
-            format!("`{}` stands at the top of a module, and this file is only a part of one", keyword.text);
-        return Some(error(message, keyword).help("leave the line out"));
+        let message = format!(
+            "`{}` is only allowed at the start of a module, and this file is only a part of one",
+            keyword.text
+        );
+        return Some(error(message, keyword).help("remove the line"));
     }
     if let Some(problem) = of_another_language(header, own, error) {
         return Some(problem);
@@ -128,14 +132,16 @@ fn of_another_language(
     let [first, rest @ ..] = own else { return None };
     if first.is("#") {
         let problem = error("WGSL has no `#`: this looks like GLSL".into(), first);
-        return Some(problem.help("a name for a value is `const NAME = value;`"));
+        return Some(problem.help("to name a value, write `const NAME = value;`"));
     }
     let is_foreign = GLSL.contains(&first.text) && rest.first().is_some_and(|t| t.kind == Kind::Word);
     is_foreign.then(|| {
-        let problem = error(format!("`{}` begins no line of WGSL: this looks like GLSL", first.text), first);
+        let problem =
+            error(format!("`{}` cannot begin a line in WGSL: this looks like GLSL", first.text), first);
         let returns = if header.family == super::Family::Shape { "f32" } else { "vec3f" };
-        problem
-            .help(format!("a function is `fn name(p: vec2f) -> {returns} {{ … }}`, a value `let x = 1.0;`"))
+        problem.help(format!(
+            "write a function as `fn name(p: vec2f) -> {returns} {{ … }}`, a value as `let x = 1.0;`"
+        ))
     })
 }
 
@@ -147,23 +153,24 @@ fn of_word(header: &Header<'_>, token: &Token<'_>, next: &Token<'_>) -> Option<D
     let error = |message: String| Diagnostic::error(message).at(header.place(token.span()), "");
     let (text, is_call) = (token.text, next.is("("));
     if is_call && NEIGHBORS.contains(&text) {
-        let problem =
-            error(format!("`{text}` asks the pixels beside this one, which may show something else"));
+        let problem = error(format!("`{text}` reads neighboring pixels, which may show another object"));
         return Some(problem.help(match header.family {
-            super::Family::Texture => "`at.footprint` is how wide a pixel is at this point",
-            super::Family::Shape => "a ray is alone: a shape is asked for each by itself",
+            super::Family::Texture => "`at.footprint` is the width of a pixel at this point",
+            super::Family::Shape => "raytoy calls a shape for one ray at a time",
         }));
     }
     if is_call && (COMPUTES.contains(&text) || text.starts_with("subgroup") || text.starts_with("quadSwap")) {
-        return Some(error(format!("`{text}` is for compute shaders, and pictures are drawn by others")));
+        return Some(error(format!(
+            "`{text}` is for compute shaders, and raytoy draws with fragment shaders"
+        )));
     }
     let is_half = matches!(text, "f16" | "vec2h" | "vec3h" | "vec4h");
     if is_half {
-        return Some(error(format!("`{text}` is not known everywhere")).help("write it with `f32`"));
+        return Some(error(format!("`{text}` is not available on all GPUs")).help("use `f32` instead"));
     }
     if text == "discard" && next.is(";") {
-        let problem = error("`discard` is for entry points".into());
-        return Some(problem.help(format!("a {} always gives a value: `return`", header.family.noun())));
+        let problem = error("`discard` is only allowed in entry points".into());
+        return Some(problem.help(format!("a {} must return a value: use `return`", header.family.noun())));
     }
     None
 }

@@ -17,7 +17,7 @@ pub fn unguarded(module: &Module, source: &Source) -> Option<String> {
     let entries = module.entry_points.iter().map(|entry| &entry.function);
     let mut functions = module.functions.iter().map(|(_, function)| function).chain(entries);
     let span = functions.find_map(|function| first(&function.body, source, asked))?;
-    let Some(range) = span.to_range() else { return Some("a place that naga does not know".into()) };
+    let Some(range) = span.to_range() else { return Some("an unknown place".into()) };
     let place = place(source, range);
     let section = source.sections.iter().find(|section| section.name == place.file)?;
     let line = 1 + section.text[..place.span.start].matches('\n').count();

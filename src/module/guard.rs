@@ -139,19 +139,18 @@ impl Writer<'_> {
     }
 
     fn report(&self, here: &Place, outer: Option<&Place>) -> Report {
-        let mut problem =
-            Diagnostic::error("this loop goes on for too long, and was stopped").at(here.clone(), "");
+        let mut problem = Diagnostic::error("this loop ran too long and was stopped").at(here.clone(), "");
         if let Some(outer) = outer {
-            problem = problem.at(outer.clone(), "or this one, which it is in");
+            problem = problem.at(outer.clone(), "or this one, which contains it");
         }
         let problem = problem
             .help(
-                "a loop that waits for a value may wait for ever: let it count, too, and end at the most \
-                 steps that are of use, as in `for (var i = 0u; i < 200u && x < 2.0; i++)`",
+                "give the loop a largest number of steps, \
+                 as in `for (var i = 0u; i < 200u && x < 2.0; i++)`",
             )
             .help(format!(
-                "all loops of a snippet may take {CALL_STEPS} steps in a call, \
-                 and {PIXEL_STEPS} in the calls for one sample of a pixel"
+                "all loops of a file together may take {CALL_STEPS} steps in one call, \
+                 and {PIXEL_STEPS} steps for one sample of a pixel"
             ));
         let text = self.text(&here.file).into();
         Report { diagnostics: vec![problem], texts: [(here.file.clone(), text)].into() }

@@ -84,7 +84,7 @@ pub fn validate(source: &Source) -> Result<Module, Diagnostic> {
             problem = problem.at(place(source, range), "");
         }
         if let Some(context) = chain.into_iter().next() {
-            problem = problem.help(format!("naga says: {context}"));
+            problem = problem.help(format!("naga reports: {context}"));
         }
         explained(problem)
     })?;
@@ -112,7 +112,7 @@ fn place(source: &Source, range: Range<usize>) -> Place {
 fn explained(problem: Diagnostic) -> Diagnostic {
     match problem.labels.first() {
         Some((place, _)) if place.file.starts_with("generated from ") => {
-            problem.help("this is generated code: `raytoy generate` shows all of it")
+            problem.help("this is generated code: `raytoy generate` prints all of it")
         }
         _ => problem,
     }

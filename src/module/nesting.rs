@@ -34,21 +34,22 @@ pub fn deepest(module: &Module) -> Nest {
     nests.max_by_key(|nest| nest.depth).unwrap_or_default()
 }
 
-/// What to say where a file of the author's nests deeper than Mesa's software driver can tell.
+/// Returns a warning if a file of the author's nests deeper than Mesa's software driver supports.
 pub fn warning(module: &Module, source: &Source) -> Option<Diagnostic> {
     let Nest { depth, way } = deepest(module);
     let innermost = way.into_iter().rev().find(|span| is_authors(source, *span));
     let innermost = innermost.filter(|_| depth > MAX_BRANCHES)?;
     let message = format!(
-        "a machine without a GPU may draw this wrong: it has {depth} branches in each other, \
-         and Mesa's software driver keeps {MAX_BRANCHES}"
+        "a computer without a GPU may draw this wrong: {depth} branches are nested, \
+         but Mesa's software driver supports only {MAX_BRANCHES}"
     );
     let problem =
-        Diagnostic::warning(message).at(place(source, innermost.to_range()?), "this is in all of them");
+        Diagnostic::warning(message).at(place(source, innermost.to_range()?), "this is inside all of them");
     Some(problem.help(
-        "all that follows an `if` with a `return` or `continue` counts as in it, and so do each `else if`, \
-         and the later cases of a `switch` that return: write a `switch` whose cases assign to a `var`, \
-         and return that at the end",
+        "write a `switch` whose cases assign to a `var`, and return the `var` at the end",
+    ).help(
+        "the code after an `if` with a `return` or `continue` counts as nested in it, as do each `else if` \
+         and the cases of a `switch` after one that returns",
     ))
 }
 

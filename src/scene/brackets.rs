@@ -48,7 +48,7 @@ pub fn excess(text: &str) -> Option<Excess> {
         longest = longest.max(open.last().map_or((0, 0), |(at, commas)| (*commas, *at)));
     }
     let (items, at) = longest;
-    let message = format!("{items} things in one list: the most are {MAX_ITEMS}");
+    let message = format!("{items} items in one list: at most {MAX_ITEMS} are allowed");
     (items > MAX_ITEMS).then_some(Excess { message, span: at..at + 1 })
 }
 

@@ -34,9 +34,9 @@ pub fn parse(file: &str, text: &str) -> Result<Value, Vec<Diagnostic>> {
         None if reader.problems.is_empty() => {
             let end = text.trim_end().len();
             Err(vec![
-                Diagnostic::error("the file holds no scene")
+                Diagnostic::error("the file contains no scene")
                     .at(Place { file: file.into(), span: end..end }, "")
-                    .help("a scene is `( objects: [ Sphere() ] )`, with what else it needs"),
+                    .help("write at least `(objects: [Sphere()])`"),
             ])
         }
         None => Err(reader.problems),
@@ -57,8 +57,8 @@ impl Reader<'_> {
             return;
         }
         let message = match error.kind() {
-            ErrorKind::Eof => "the text ends before the scene does".to_owned(),
-            ErrorKind::TrailingCharacters => "there is more text after the end of the scene".to_owned(),
+            ErrorKind::Eof => "the text ends before the end of the scene".to_owned(),
+            ErrorKind::TrailingCharacters => "there is text after the end of the scene".to_owned(),
             ErrorKind::ExceededRecursionLimit => "values are nested too deeply".to_owned(),
             kind => {
                 let said = kind.to_string();
@@ -125,7 +125,7 @@ impl Reader<'_> {
             }
             Expr::Struct(record) => Kind::Record(self.record(record)),
             Expr::Char(_) | Expr::Byte(_) | Expr::Bytes(_) => {
-                let message = "a scene has no characters or bytes, only \"strings\"";
+                let message = "characters and bytes are not allowed here; write a \"string\"";
                 self.problems.push(Diagnostic::error(message).at(self.place(range(expr.span())), ""));
                 Kind::None
             }

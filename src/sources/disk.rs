@@ -36,7 +36,7 @@ pub(super) fn read_file(path: &Path, most: u64) -> Answer {
     // Pipes and devices may never end, or keep whoever opens them.
     let refusal = match std::fs::metadata(path) {
         Ok(found) if found.is_dir() => Some("it is a folder".into()),
-        Ok(found) if !found.is_file() => Some("it is a pipe or a device, and no file".into()),
+        Ok(found) if !found.is_file() => Some("it is a pipe or a device, not a file".into()),
         Ok(found) if found.len() > most => Some(too_large(most)),
         _ => None,
     };

@@ -146,7 +146,7 @@ impl Sources {
             }
             Answer::Missing => Err(Diagnostic::error(format!("there is no file `{name}`"))),
             Answer::Unreadable(why) => Err(Diagnostic::error(format!("cannot read `{name}`: {why}"))),
-            Answer::Outside => Err(Diagnostic::error("this file lies outside of the scene's root")),
+            Answer::Outside => Err(Diagnostic::error("this file is outside of the scene's root folder")),
         }
     }
 

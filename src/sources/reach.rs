@@ -79,9 +79,9 @@ impl Reach<'_> {
         let told = self.sources.told(&path, answer);
         told.map_err(|problem| match is_outside {
             true => self.by_link(&path).unwrap_or(problem).help(format!(
-                "its files lie below {}; `--root FOLDER` names a wider one",
+                "the root folder is {}; `--root FOLDER` sets another one",
                 match self.root == self.sources.here {
-                    true => "the folder that raytoy runs in".to_owned(),
+                    true => "the current folder".to_owned(),
                     false => format!("`{}`", self.sources.name(&self.root)),
                 }
             )),
@@ -91,7 +91,8 @@ impl Reach<'_> {
 
     /// The problem of a link that leads out of the root; None where `path` itself lies outside.
     fn by_link(&self, path: &Path) -> Option<Diagnostic> {
-        let why = format!("`{}` is a link that leads out of the scene's root", self.sources.name(path));
+        let why =
+            format!("`{}` is a link to a file outside of the scene's root folder", self.sources.name(path));
         self.holds(path).then(|| Diagnostic::error(why))
     }
 

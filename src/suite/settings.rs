@@ -91,7 +91,7 @@ impl Settings {
             }
             _ => {
                 let found = format!("found {}; write `(samples: 1)`", root.describe());
-                reader.error(&root.span, "settings are fields in parentheses").help.push(found);
+                reader.error(&root.span, "write settings as fields in parentheses").help.push(found);
                 return Err(reader.problems);
             }
         }
@@ -215,7 +215,7 @@ impl<'a> Reader<'a> {
             let limit = limits.iter().find(|(name, ..)| *name == field.name.text);
             let Some((name, default, sign)) = limit else { continue };
             if (x - default) * sign > 0.0 {
-                let message = format!("`{name}` is looser than {default}, and nothing says why");
+                let message = format!("`{name}` is looser than {default} and needs a reason");
                 let help = "add a reason: `reason: \"the shadow is noisy\"`";
                 self.error(&field.value.span, message).help.push(help.into());
             }

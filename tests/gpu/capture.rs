@@ -307,7 +307,7 @@ mod movies {
         };
         assert_eq!(
             told(&["-o", "a.webm"]),
-            "raytoy: movies are made by ffmpeg, which is not installed\n\
+            "raytoy: movies need ffmpeg, which is not installed\n\
              \x20 Debian, Ubuntu  apt install ffmpeg\n\
              \x20 Fedora          dnf install ffmpeg, from rpmfusion.org\n\
              \x20 Arch            pacman -S ffmpeg\n\

@@ -49,7 +49,7 @@ fn pictures_are_judged_and_shown_on_a_page() {
     assert!(share.is_some_and(|share| share > 0.5 && share <= 1.0), "{picture}");
     assert!(picture["area"].as_array().is_some_and(|area| area.len() == 4) && picture["adapter"].is_string());
     let same = diff(&["old.ron", "old.ron", "--exit-code"]);
-    assert_eq!(stdout(&same), "values   the same\nshader   the same\npicture  the same\n");
+    assert_eq!(stdout(&same), "values   equal\nshader   equal\npicture  equal\n");
     assert_eq!(same.status.code(), Some(0));
     // What is hidden changes values alone.
     folder

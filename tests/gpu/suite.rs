@@ -174,7 +174,7 @@ fn settings_are_read_with_care() {
         ("(outliers: 2, reason: \"noise\")", "`outliers` takes a number from 0 to 1, found the number 2"),
         ("(text: 1)", "`text` takes true or false, found the number 1"),
         ("(samples: 2, samples: 3)", "`samples` is given twice"),
-        ("[1]", "settings are fields in parentheses"),
+        ("[1]", "write settings as fields in parentheses"),
         ("(samples: 2", "is not closed"),
     ] {
         let told = settings(text);

@@ -106,16 +106,19 @@ fn too_much_is_refused_by_counting() {
     let objects = |items: String| format!("(objects: [{items}])");
     let triplanar = "Triplanar(of: ".repeat(20) + "Noise()" + &")".repeat(20);
     for (text, message) in [
-        (doubled(25, true), "evaluates 134,217,725 textures at a point: the most are 512"),
+        (doubled(25, true), "evaluates 134,217,725 textures at a point: at most 512 are allowed"),
         (doubled(100, true), "evaluates at least 18,446,744,073,709,551,615 textures"),
         (objects(format!("Sphere(material: (color: {triplanar}))")), "textures at a point"),
         (nested(17), "solids are nested more than 16 deep"),
         (nested(3000), "brackets are nested more than 120 deep"),
         (objects("[".repeat(10_000)), "brackets are nested more than 120 deep"),
-        (objects("Sphere(),".repeat(4097)), "4,097 objects and parts: the most are 4,096"),
-        (objects("Sphere(),".repeat(10_001)), "10001 things in one list: the most are 10000"),
+        (objects("Sphere(),".repeat(4097)), "4,097 objects and parts: at most 4,096 are allowed"),
+        (objects("Sphere(),".repeat(10_001)), "10001 items in one list: at most 10000 are allowed"),
         (objects("Sphere(center: (1, 2, 3)),".repeat(200_000)), "more than 200000 brackets"),
-        (format!("(lights: [{}], objects: [])", "Point(),".repeat(1025)), "1,025 lights: the most are 1,024"),
+        (
+            format!("(lights: [{}], objects: [])", "Point(),".repeat(1025)),
+            "1,025 lights: at most 1,024 are allowed",
+        ),
     ] {
         let report = outcome_of("scenes/much.ron", &text, Mode::Baked).report;
         let problem = report.diagnostics.first().expect("it is refused");

@@ -143,7 +143,7 @@ fn what_is_no_scene_and_what_is_no_value_is_refused() {
         (NewValue::Number(f32::NAN), "it is not a finite number"),
         (NewValue::Vector(vec![0.0, f32::INFINITY]), "it is not a finite number"),
         (NewValue::Code("Noise(".into()), "`Noise(` is no RON: "),
-        (NewValue::Word("".into()), "`` is no RON: the file holds no scene"),
+        (NewValue::Word("".into()), "`` is no RON: the file contains no scene"),
     ] {
         let refusal = set(camera.clone(), value).on("(camera: ())").unwrap_err().to_string();
         assert!(refusal.starts_with(&format!("`camera` cannot be set: {why}")), "{refusal}");

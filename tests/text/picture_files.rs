@@ -193,7 +193,7 @@ fn other_formats_are_refused_by_name() {
         (b"DDS |\0\0\0", "is DDS"),
         (b"8BPS\0\x01", "is a Photoshop file"),
         (b"P6\n2 2\n255\n", "is a Netpbm file"),
-        (b"<?xml version=\"1.0\"?>\n<svg xmlns=", "is SVG"),
+        (b"<?xml version=\"1.0\"?>\n<svg xmlns=", "is an SVG file"),
         (b"\n<!DOCTYPE html><title>404", "is a web page"),
         (b"version https://git-lfs.github.com/spec/v1\n", "is a pointer of Git LFS"),
         (b"words", "is neither PNG, JPEG, Radiance HDR nor OpenEXR"),

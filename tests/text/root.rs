@@ -69,13 +69,16 @@ fn a_file_lies_below_the_root_whatever_its_name_looks_like() {
         "C:/a.obj",
     ] {
         let told = world.told(outside, None);
-        assert!(told.starts_with("error: this file lies outside of the scene's root\n"), "{outside}: {told}");
+        assert!(
+            told.starts_with("error: this file is outside of the scene's root folder\n"),
+            "{outside}: {told}"
+        );
         assert!(told.contains("scenes/a.ron:2:16"), "{outside}: {told}");
-        assert!(told.contains("below the folder that raytoy runs in; `--root FOLDER`"), "{told}");
+        assert!(told.contains("the root folder is the current folder; `--root FOLDER`"), "{told}");
         assert!(!told.contains("secret words"), "{told}");
     }
     let told = world.told(r"models\a.obj", None);
-    assert!(told.contains("write `/`, on Windows too: `models/a.obj`"), "{told}");
+    assert!(told.contains("write `/` on all systems: `models/a.obj`"), "{told}");
     assert!(world.told("models", None).contains("cannot read `scenes/models`: it is a folder"));
 }
 
@@ -105,7 +108,7 @@ fn a_scene_that_lies_elsewhere_has_its_own_folder_as_root() {
     let told = |name| compile(&sources(), &world.path(name), Mode::Baked, None).report.to_string();
     assert_eq!(told("elsewhere/own.ron"), "");
     let folder = world.path("elsewhere").to_string_lossy().replace('\\', "/");
-    assert!(told("elsewhere/other.ron").contains(&format!("below `{folder}`;")));
+    assert!(told("elsewhere/other.ron").contains(&format!("the root folder is `{folder}`;")));
 }
 
 #[cfg(unix)]
@@ -125,7 +128,7 @@ fn links_count_by_where_they_lead() {
     assert_eq!(world.told("inside.obj", None), "");
     for file in ["outside.obj", "folder/secret.obj", "zero.obj"] {
         let told = world.told(file, None);
-        let why = format!("error: `scenes/{file}` is a link that leads out of the scene's root\n");
+        let why = format!("error: `scenes/{file}` is a link to a file outside of the scene's root folder\n");
         assert!(told.starts_with(&why) && !told.contains("secret words"), "{told}");
     }
     assert!(world.told("circle.obj", None).contains("cannot read `scenes/circle.obj`"));
@@ -134,7 +137,7 @@ fn links_count_by_where_they_lead() {
     let sources = Sources::on_disk(&world.path("project"))
         .with("scenes/b.ron", "(objects: [Sphere(material: (color: Own()))])");
     let told = compile(&sources, Path::new("scenes/b.ron"), Mode::Baked, None).report.to_string();
-    assert!(told.contains("`textures/own.wgsl` is a link that leads out"), "{told}");
+    assert!(told.contains("`textures/own.wgsl` is a link to a file outside"), "{told}");
     assert!(told.contains("scenes/b.ron:1:37") && !told.contains("secret words"), "{told}");
 }
 
@@ -155,7 +158,7 @@ fn pipes_devices_and_huge_files_are_refused_at_once() {
     pipe("project/textures/pipe.wgsl");
     huge("project/scenes/huge.obj", (1 << 30) + 1);
     huge("project/scenes/huge.ron", (16 << 20) + 1);
-    let no_file = "it is a pipe or a device, and no file";
+    let no_file = "it is a pipe or a device, not a file";
     assert!(world.told("pipe.obj", None).contains(no_file));
     assert!(world.told("huge.obj", None).contains("it is larger than 1024 MiB"));
     let sources = || Sources::on_disk(&world.path("project"));

@@ -10,13 +10,13 @@ pub fn refusal(bytes: &[u8]) -> String {
         return "is empty: save or fetch it again".into();
     }
     if bytes.starts_with(b"version https://git-lfs") {
-        return "is a pointer of Git LFS, not the picture: `git lfs pull` fetches it".into();
+        return "is a pointer of Git LFS, not the picture: run `git lfs pull` to fetch it".into();
     }
     if start.starts_with(b"<!doctype html") || start.starts_with(b"<html") {
         return "is a web page, not a picture: fetch the picture itself".into();
     }
     if start.starts_with(b"<") && has(b"<svg") {
-        return "is SVG: save it as PNG".into();
+        return "is an SVG file: save it as PNG".into();
     }
     let format = match bytes {
         [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => "WebP",

@@ -93,7 +93,7 @@ impl Image {
         }
         let is_short = bytes.starts_with(b"\xff\xd8") && contents::ends_early(bytes);
         let warning =
-            is_short.then(|| "ends early: its lower part is missing, so fetch or save it again".into());
+            is_short.then(|| "ends early, so its lower part is missing: fetch or save it again".into());
         Ok(Self { file, digest, reading, has_alpha, warning, levels: levels.into() })
     }
 }
@@ -101,7 +101,9 @@ impl Image {
 /// A picture as its camera was held, which files say beside its pixels (EXIF).
 fn decode_upright(bytes: &[u8]) -> Result<DynamicImage, String> {
     let damaged = |error: ImageError| match &error {
-        ImageError::Unsupported(_) => format!("is of a kind that cannot be read ({error}): save it as PNG"),
+        ImageError::Unsupported(_) => {
+            format!("has a format that raytoy cannot read ({error}): save it as PNG")
+        }
         _ => format!("is damaged or ends early: {error}"),
     };
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format();
@@ -125,7 +127,10 @@ fn decode_upright(bytes: &[u8]) -> Result<DynamicImage, String> {
 
 fn check_size(size: [u32; 2]) -> Result<(), String> {
     if size.iter().any(|n| *n > LONGEST || *n == 0) {
-        return Err(format!("has {}x{} pixels, and {LONGEST}x{LONGEST} are the most", size[0], size[1]));
+        return Err(format!(
+            "has {}x{} pixels, but at most {LONGEST}x{LONGEST} are allowed",
+            size[0], size[1]
+        ));
     }
     Ok(())
 }

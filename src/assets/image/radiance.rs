@@ -26,7 +26,7 @@ pub fn decode(bytes: &[u8]) -> Result<DynamicImage, String> {
             Some(("EXPOSURE", value)) => factor /= numbers::<f32>(value)?.first().copied().unwrap_or(1.0),
             Some(("COLORCORR", value)) => match numbers::<f32>(value)?[..] {
                 [r, g, b] => factor /= Vec3::new(r, g, b),
-                _ => return Err("is damaged: COLORCORR has three numbers".into()),
+                _ => return Err("is damaged: COLORCORR needs three numbers".into()),
             },
             Some(("FORMAT", value)) => is_xyz = value.trim() == "32-bit_rle_xyze",
             _ if line.trim().is_empty() => break,
@@ -34,19 +34,19 @@ pub fn decode(bytes: &[u8]) -> Result<DynamicImage, String> {
         }
     }
     if !factor.is_finite() || factor.min_element() <= 0.0 {
-        return Err("is damaged: its exposure is no number above 0".into());
+        return Err("is damaged: its exposure must be a number above 0".into());
     }
     let order = line(&mut rest)?;
     let words: Vec<&str> = order.split_whitespace().collect();
     let [outer, rows, inner, columns] = words[..] else {
-        return Err(format!("is damaged: `{}` is no size such as `-Y 512 +X 1024`", order.trim()));
+        return Err(format!("is damaged: `{}` is not a size such as `-Y 512 +X 1024`", order.trim()));
     };
     let axis = |word: &str| matches!(word, "+X" | "-X" | "+Y" | "-Y");
     let ([rows], [columns]) = (&numbers::<u32>(rows)?[..], &numbers::<u32>(columns)?[..]) else {
-        return Err("is damaged: its size is none".into());
+        return Err("is damaged: its size is 0".into());
     };
     if !axis(outer) || !axis(inner) || outer[1..] == inner[1..] {
-        return Err(format!("is damaged: `{outer}` and `{inner}` are no order of rows"));
+        return Err(format!("is damaged: `{outer}` and `{inner}` are not a valid order of rows"));
     }
     check_size([*columns, *rows])?;
     let mut plain = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {rows} +X {columns}\n").into_bytes();
@@ -88,7 +88,7 @@ fn line(rest: &mut &[u8]) -> Result<String, String> {
 fn numbers<T: FromStr>(text: &str) -> Result<Vec<T>, String> {
     let words = text.split_whitespace();
     let numbers: Result<_, _> = words.map(str::parse).collect();
-    numbers.map_err(|_| format!("is damaged: `{}` is no number", text.trim()))
+    numbers.map_err(|_| format!("is damaged: `{}` is not a number", text.trim()))
 }
 
 /// To linear Rec. 709, from the white that Radiance has, 1/3 in x and y.

@@ -56,7 +56,7 @@ impl Findings {
         if corners.iter().any(|corner| corner.position.abs().max_element() > MAX_COORDINATE)
             || corners.iter().any(|corner| corner.position.is_nan())
         {
-            self.lose(|| format!("the numbers of a corner are none, or beyond {MAX_COORDINATE:e}"));
+            self.lose(|| format!("a corner has invalid numbers, or numbers beyond {MAX_COORDINATE:e}"));
         } else {
             let corners = face.corners.map(|corner| self.repaired(corner));
             self.faces.push(Face { corners, ..face });
@@ -86,13 +86,12 @@ impl Findings {
             warnings.push(format!("lacks {} of its {all} triangles: {why}", self.lost));
         }
         if self.broken_normals > 0 {
-            let count =
-                counted(self.broken_normals, "a normal that is no number", "normals that are no numbers");
-            warnings.push(format!("has {count}: the triangles give them"));
+            let count = counted(self.broken_normals, "an invalid normal", "invalid normals");
+            warnings.push(format!("has {count}: the normals of the triangles are used there"));
         }
         if self.broken_uvs > 0 {
-            let count = counted(self.broken_uvs, "a uv that is no number", "uv that are no numbers");
-            warnings.push(format!("has {count}: triangles there are seen along their axes"));
+            let count = counted(self.broken_uvs, "an invalid uv", "invalid uv");
+            warnings.push(format!("has {count}: images are laid on these triangles along an axis"));
         }
         warnings
     }

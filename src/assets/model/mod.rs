@@ -131,7 +131,7 @@ impl Model {
 fn read(bytes: &[u8], beside: &mut Beside<'_>) -> Result<Findings, String> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if bytes.starts_with(b"version https://git-lfs") {
-        return Err("is a pointer of Git LFS, not the model: `git lfs pull` fetches it".into());
+        return Err("is a pointer of Git LFS, not the model: run `git lfs pull` to fetch it".into());
     }
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return Err("is text in UTF-16: save it as UTF-8".into());

@@ -31,8 +31,9 @@ impl Resolver<'_> {
         let color = match &value.kind {
             Kind::Number(x) => match self.hexadecimal(value) {
                 Some(digits) => {
-                    let problem = self.error(&value.span, format!("a number is a grey, and {x} is none"));
-                    problem.help.push(format!("a color is a text: \"#{digits}\""));
+                    let problem = self
+                        .error(&value.span, format!("a single number is a grey value, and {x} is not one"));
+                    problem.help.push(format!("write the color as a string: \"#{digits}\""));
                     Vec3::ZERO
                 }
                 None => Vec3::splat(self.number(value, Some((0.0, 1e6))).unwrap_or(0.0)),
@@ -53,10 +54,14 @@ impl Resolver<'_> {
         let named = parse_css(text)?;
         if named.alpha < 1.0 {
             let message = match named.alpha {
-                0.0 => format!("\"{text}\" is clear, and colors have no alpha here: its color is drawn"),
-                _ => format!("\"{text}\" has an alpha, which is left out: its color is drawn in full"),
+                0.0 => {
+                    format!("\"{text}\" is transparent, but colors have no alpha here: it is drawn opaque")
+                }
+                _ => format!(
+                    "\"{text}\" has an alpha, but colors have no alpha here: the color is drawn opaque"
+                ),
             };
-            let advice = "a material lets light through by `transmission: 0.5`";
+            let advice = "for a transparent material, use `transmission: 0.5`";
             let place = self.place(&value.span);
             self.push(Diagnostic::warning(message).at(place, "").help(advice));
         }
@@ -80,13 +85,13 @@ impl Resolver<'_> {
         if self.usage != Usage::Surface {
             return;
         }
-        let message = format!("a surface of this color gives back {most} times the light that it gets");
+        let message = format!("a surface of this color reflects {most} times the light that reaches it");
         let is_byte = |c: f32| c.fract() == 0.0 && c <= 255.0;
         let advice = if color.to_array().iter().all(|c| is_byte(*c)) {
             let [r, g, b] = color.to_array().map(|c| c as u8);
-            format!("bytes are written \"#{r:02x}{g:02x}{b:02x}\"; linear RGB goes from 0 to 1")
+            format!("write bytes as \"#{r:02x}{g:02x}{b:02x}\"; linear RGB goes from 0 to 1")
         } else {
-            "linear RGB goes from 0 to 1; light of its own is `emission`".to_owned()
+            "linear RGB goes from 0 to 1; `emission` makes a surface emit light".to_owned()
         };
         let place = self.place(&value.span);
         self.push(Diagnostic::warning(message).at(place, "").help(advice));

@@ -22,8 +22,8 @@ impl Resolver<'_> {
     pub fn check_thickness(&mut self, object: &Primitive, name: &Name) {
         let constants = constants(&object.arguments);
         if object.shape.conditions.iter().any(|condition| condition.leaves_flat(&constants)) {
-            let advice = "parts are solids: give it thickness along all three axes".into();
-            self.error(&name.span, format!("this `{}` is flat, and encloses nothing", name.text))
+            let advice = "parts must be solids: make it thick along all three axes".into();
+            self.error(&name.span, format!("this `{}` is flat and has no inside", name.text))
                 .help
                 .push(advice);
         }
@@ -41,18 +41,17 @@ impl Resolver<'_> {
             Relation::ApartAlongTwoAxes => {
                 (format!("{all} differ along fewer than two axes"), "move one of them")
             }
-            Relation::Slanted => (format!("{all} lie along one line"), "turn one of them"),
-            Relation::OffLine => (format!("{all} lie on one line"), "move one of them off it"),
+            Relation::Slanted => (format!("{all} are parallel"), "turn one of them"),
+            Relation::OffLine => (format!("{all} are on one line"), "move one of them off the line"),
             Relation::Less => {
-                (format!("`{}` is not less than `{}`", names[0], names[1]), "change one of them")
+                (format!("`{}` must be greater than `{}`", names[0], names[1]), "change one of them")
             }
         };
         // At the last of them that is written, else at the whole.
         let Kind::Record(record) = &written.kind else { return };
         let is_named = |field: &&scene::Field| names.contains(&field.name.text.as_str());
         let span = record.fields.iter().rev().find(is_named).map_or(&written.span, |field| &field.value.span);
-        let help =
-            format!("{advice}, or leave the object out: nothing would be seen of this `{}`", shape.name);
+        let help = format!("{advice}, or remove the object: this `{}` would be invisible", shape.name);
         self.error(span, message).help.push(help);
     }
 }

@@ -81,8 +81,8 @@ impl<'a> Resolver<'a> {
             self.circular.extend(self.pending[from..].iter().cloned());
             let circle: Vec<String> =
                 self.pending[from..].iter().chain([&name.to_owned()]).cloned().collect();
-            let message = format!("texture \"{name}\" is made of itself");
-            self.error(span, message).help.push(format!("the circle is {}", circle.join(" → ")));
+            let message = format!("texture \"{name}\" uses itself");
+            self.error(span, message).help.push(format!("the cycle is {}", circle.join(" → ")));
             return None;
         }
         if self.broken.contains(name) {

@@ -31,7 +31,8 @@ impl Resolver<'_> {
                 }))
             }
             Err(problem) => {
-                let advice = "a file is looked for beside the scene: PNG, JPEG, Radiance HDR or OpenEXR";
+                let advice =
+                    "raytoy looks in the scene's folder for PNG, JPEG, Radiance HDR and OpenEXR files";
                 self.refuse_file(problem, written, advice);
                 None
             }
@@ -72,7 +73,7 @@ impl Resolver<'_> {
                 }))
             }
             Err(problem) => {
-                let advice = "a file is looked for beside the scene: Wavefront OBJ or glTF";
+                let advice = "raytoy looks in the scene's folder for Wavefront OBJ and glTF files";
                 self.refuse_file(problem, written, advice);
                 None
             }

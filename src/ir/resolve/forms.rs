@@ -39,7 +39,7 @@ impl Resolver<'_> {
                 Kind::Tuple(pair) if pair.len() == 2 => {
                     let at = self.number(&pair[0], None)?;
                     if resolved.last().is_some_and(|(before, _)| *before > at) {
-                        self.error(&pair[0].span, "stops go from low to high");
+                        self.error(&pair[0].span, "the positions of stops must increase");
                     }
                     let color = self.color(&pair[1]);
                     resolved.push((at, color));
@@ -48,7 +48,7 @@ impl Resolver<'_> {
             }
         }
         if resolved.len() < 2 {
-            self.error(&stops.span, "a ramp needs two stops or more");
+            self.error(&stops.span, "a ramp needs at least two stops");
             return None;
         }
         let interpolation = interpolation.unwrap_or(Interpolation::Linear);

@@ -35,7 +35,7 @@ impl Resolver<'_> {
         if count > most {
             self.error(
                 span,
-                format!("{} {what}: the most are {}", grouped(count as u64), grouped(most as u64)),
+                format!("{} {what}: at most {} are allowed", grouped(count as u64), grouped(most as u64)),
             );
         }
         count <= most
@@ -61,8 +61,8 @@ impl Resolver<'_> {
             self.too_costly(span, "this", cost);
         } else if before <= MAX_IN_ALL && self.cost.in_all > MAX_IN_ALL && !self.cost.is_reported {
             let message =
-                format!("with this, the scene evaluates more than {} textures", grouped(MAX_IN_ALL));
-            let advice = "give objects that look alike the same material, by its name".into();
+                format!("the scene evaluates more than {} textures, counted up to here", grouped(MAX_IN_ALL));
+            let advice = "declare one material for objects that look alike, and use its name".into();
             self.error(span, message).help.push(advice);
         }
     }
@@ -82,8 +82,9 @@ impl Resolver<'_> {
         }
         let least = if cost == u64::MAX { "at least " } else { "" };
         let (cost, most) = (grouped(cost), grouped(MAX_AT_A_POINT));
-        let message = format!("{what} evaluates {least}{cost} textures at a point: the most are {most}");
-        let advice = "a named texture counts once at each point that a mapping makes";
+        let message =
+            format!("{what} evaluates {least}{cost} textures at a point: at most {most} are allowed");
+        let advice = "a named texture counts once for each point that a mapping moves to";
         self.error(span, message).help.push(advice.into());
     }
 }

@@ -55,7 +55,7 @@ impl<'a> Resolver<'a> {
 
     fn inline_material(&mut self, written: &scene::Value, name: &str) -> usize {
         if let Kind::Record(Record { name: Some(called), .. }) = &written.kind {
-            let advice = format!("a material is a group of fields: `(color: {}(…))`", called.text);
+            let advice = format!("write a group of fields: `(color: {}(…))`", called.text);
             self.error(&called.span, format!("`{}` is not a material", called.text)).help.push(advice);
             return 0;
         }

@@ -188,8 +188,8 @@ impl Resolver<'_> {
         let origins: Vec<DVec3> = models.map(|model| model.origin).collect();
         let first = origins.first().copied().unwrap_or_default();
         if origins.iter().any(|origin| *origin != first) {
-            let advice = "move them in the program that made them, so that both lie around zero".into();
-            let message = "one of these models lies too far from the other";
+            let advice = "move both models near the origin in the program that made them".into();
+            let message = "these two models are too far from each other";
             self.error(&shape.span, message).help.push(advice);
         }
         first
@@ -214,12 +214,12 @@ impl Resolver<'_> {
         };
         if around.depth == DEEPEST_SOLID {
             let message = format!("solids are nested more than {DEEPEST_SOLID} deep");
-            let advice = "a `Union` takes as many parts as you like: put these beside the others".into();
+            let advice = "a `Union` takes any number of parts: put them all in one list".into();
             self.error(&written.span, message).help.push(advice);
             return None;
         }
         if items.is_empty() {
-            self.error(&parts.span, "there are no parts");
+            self.error(&parts.span, "the list of parts is empty");
             return None;
         }
         let mut solids = vec![];
@@ -243,16 +243,17 @@ impl Resolver<'_> {
     /// Reports a part that has no inside.
     fn check_encloses(&mut self, primitive: &Primitive, shape: &Name) {
         if primitive.shape.traits.is_open {
-            let advice = "parts are solids: give it thickness, as `Box` or `Cylinder` have".into();
-            self.error(&shape.span, format!("`{}` encloses nothing", shape.text)).help.push(advice);
+            let advice =
+                "parts must be solids: use a shape with thickness, such as `Box` or `Cylinder`".into();
+            self.error(&shape.span, format!("`{}` has no inside", shape.text)).help.push(advice);
         }
         self.check_thickness(primitive, shape);
         for argument in &primitive.arguments {
             if let Value::Model(index) = argument
                 && !self.models[*index].is_closed
             {
-                let message = format!("`{}` has a hole, and encloses nothing", self.models[*index].file);
-                let advice = "parts are solids: each edge of a model must join two triangles".into();
+                let message = format!("`{}` has a hole, so it has no inside", self.models[*index].file);
+                let advice = "parts must be solids: in the model, each edge must join two triangles".into();
                 self.error(&shape.span, message).help.push(advice);
             }
         }

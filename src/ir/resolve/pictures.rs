@@ -74,8 +74,9 @@ impl Resolver<'_> {
             return None;
         }
         let Image { file: name, .. } = &self.images[image];
-        let message = format!("`{name}` is clear in places, and white is seen there");
-        let advice = "`under: \"white\"` says so; any texture may be given; `channel: Alpha` is its alpha";
+        let message = format!("`{name}` is transparent in places: white is drawn there");
+        let advice =
+            "choose the color there with `under: \"white\"`, or read the alpha with `channel: Alpha`";
         let place = self.place(&file.span);
         self.push(Diagnostic::warning(message).at(place, "").help(advice));
         Some(Value::Const(Const::Vec3(Vec3::ONE)))

@@ -56,7 +56,7 @@ impl Resolver<'_> {
         if scale.abs().min_element() < 1e-6 {
             self.error(&value.span, "`scale` must not be 0")
                 .help
-                .push("leave the object out, or make it thin: 0.001".into());
+                .push("remove the object, or make it thin: 0.001".into());
             return Vec3::ONE;
         }
         scale

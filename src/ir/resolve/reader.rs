@@ -37,8 +37,8 @@ impl<'v> Fields<'v> {
                     Kind::Record(_) => "values without names".into(),
                     _ => value.describe(),
                 };
-                let problem = resolver.error(&value.span, format!("{owner} is written with named fields"));
-                problem.help.push(format!("write `name: value` pairs in parentheses; found {found}"));
+                let problem = resolver.error(&value.span, format!("{owner} needs named fields"));
+                problem.help.push(format!("write `name: value` in parentheses; found {found}"));
                 &[]
             }
         };

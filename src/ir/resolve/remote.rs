@@ -92,11 +92,10 @@ impl Resolver<'_> {
         let Some((first, away)) = remote.first() else { return };
         let others = match remote.len() - 1 {
             0 => String::new(),
-            1 => ", and so does one other object".into(),
-            n => format!(", and so do {n} other objects"),
+            1 => ", as is one other object".into(),
+            n => format!(", as are {n} other objects"),
         };
-        let message =
-            format!("`{}` lies so far from the origin that numbers lack digits{others}", first.shape);
+        let message = format!("`{}` is too far from the origin for precise numbers{others}", first.shape);
         let step = f64::from(f32::EPSILON) * away.log2().floor().exp2();
         let digits = (-step.log10().floor()).max(0.0) as usize;
         let help = format!(

@@ -116,8 +116,8 @@ impl<'a> Resolver<'a> {
         }
         let function = self.function(Family::Texture, name)?;
         if function.kind == Kind::Mapping {
-            let message = format!("`{}` is a mapping: it moves a point and has no color", name.text);
-            let advice = format!("give it to a texture: `Noise(at: {}(…))`", name.text);
+            let message = format!("`{}` is a mapping: it moves points and has no color", name.text);
+            let advice = format!("use it in a texture: `Noise(at: {}(…))`", name.text);
             self.error(&name.span, message).help.push(advice);
             return None;
         }
@@ -206,7 +206,7 @@ impl<'a> Resolver<'a> {
                 let name = record.name.as_ref().map_or("", |n| &n.text);
                 self.error(
                     &value.span,
-                    format!("`{name}` is a texture: `at` wants a mapping, which moves the point"),
+                    format!("`{name}` is a texture, but `at` needs a mapping, which moves points"),
                 );
                 None
             }

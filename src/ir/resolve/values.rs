@@ -100,8 +100,8 @@ impl Resolver<'_> {
                 items.iter().map(|i| self.number(i, range)).collect()
             }
             Kind::List(items) if items.len() == size => {
-                let problem = self.error(&value.span, "a vector is written in parentheses");
-                problem.help.push("replace [ ] by ( )".into());
+                let problem = self.error(&value.span, "vectors are written in parentheses");
+                problem.help.push("replace [ ] with ( )".into());
                 None
             }
             _ => {

@@ -81,7 +81,7 @@ fn kind(function: &Function) -> String {
     let more = match function.traits {
         _ if function.kind != Kind::Shape => "",
         traits if traits.is_distance => " that is marched to",
-        traits if traits.is_open => " that encloses nothing",
+        traits if traits.is_open => " that has no inside",
         _ => "",
     };
     format!("a {noun}{more}")

@@ -119,7 +119,7 @@ fn a_node_below_itself_is_told() {
     let positions = writer.vectors(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
     writer.mesh(json!([{ "attributes": { "POSITION": positions } }]));
     let told = decoded(&writer.finish(json!([{ "mesh": 0, "children": [0, 0] }]), &[0])).unwrap_err();
-    assert_eq!(told, "is damaged: one of its nodes stands in two places");
+    assert_eq!(told, "is damaged: a node has two parents");
 }
 
 /// A file with most of what one can have.

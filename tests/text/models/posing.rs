@@ -208,7 +208,7 @@ fn text_has_its_buffers_beside_it_or_in_it() {
     document["buffers"][0]["uri"] = json!(data);
     assert_eq!(places(document.to_string().as_bytes()), [moved(A)]);
     document["buffers"][0]["uri"] = json!("https://example.com/a.bin");
-    assert!(decoded(document.to_string().as_bytes()).unwrap_err().contains("fetches nothing"));
+    assert!(decoded(document.to_string().as_bytes()).unwrap_err().contains("from the network"));
 }
 
 #[test]

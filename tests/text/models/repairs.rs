@@ -25,19 +25,19 @@ fn odd_values_of_texts_are_counted_and_not_more() {
         (
             "vn nan nan nan\nf 2//1 3//1 4//1",
             3,
-            &["has 3 normals that are no numbers: the triangles give them"],
+            &["has 3 invalid normals: the normals of the triangles are used there"],
         ),
-        ("vn -1.#IND 0 0\nf 2//1 3 4", 3, &["has a normal that is no number: the triangles give them"]),
+        (
+            "vn -1.#IND 0 0\nf 2//1 3 4",
+            3,
+            &["has an invalid normal: the normals of the triangles are used there"],
+        ),
         (
             "vt 0 0\nf 2/9 3/1 4/1",
             3,
-            &["has a uv that is no number: triangles there are seen along their axes"],
+            &["has an invalid uv: images are laid on these triangles along an axis"],
         ),
-        (
-            "vt inf 0\nf 2/1 3/1 4",
-            3,
-            &["has 2 uv that are no numbers: triangles there are seen along their axes"],
-        ),
+        ("vt inf 0\nf 2/1 3/1 4", 3, &["has 2 invalid uv: images are laid on these triangles along an axis"]),
         ("f 1 2 9", 2, &["lacks 1 of its 3 triangles: line 7: the corner `9` is not in the file"]),
         ("f 1 2 0\nf 1 2 -99", 2, &["lacks 2 of its 4 triangles: line 7: the corner `0` is not in the file"]),
         (
@@ -84,7 +84,7 @@ fn what_is_no_model_is_called_by_its_name() {
     let cases: [(&[u8], &str); 7] = [
         (
             b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n",
-            "is a pointer of Git LFS, not the model: `git lfs pull` fetches it",
+            "is a pointer of Git LFS, not the model: run `git lfs pull` to fetch it",
         ),
         (b"\xff\xfev\x00 \x00", "is text in UTF-16: save it as UTF-8"),
         (b"\xef\xbb\xbf \n", "is empty"),
@@ -93,7 +93,7 @@ fn what_is_no_model_is_called_by_its_name() {
             "is glTF 1.0: export it as glTF 2.0",
         ),
         (b"glTF\x01\0\0\0\x14\0\0\0\0\0\0\0\0\0\0\0", "is glTF 1.0: export it as glTF 2.0"),
-        (b"{\"name\": \"package\"}", "is JSON, but no glTF"),
+        (b"{\"name\": \"package\"}", "is JSON, but not glTF"),
         (b"solid cube\nfacet normal 0 0 1\n", "is neither Wavefront OBJ nor glTF"),
     ];
     for (bytes, expected) in cases {
@@ -145,15 +145,15 @@ fn odd_values_of_binary_files_are_counted_and_not_more() {
     let model: Model = decoded(&file(&json, &bytes)).unwrap();
     assert_eq!(model.triangles.len(), 2);
     let expected = [
-        "uses `ACME_warp`, which raytoy does not know",
+        "uses `ACME_warp`, which raytoy does not support",
         "has a part of points or lines: only its triangles are shown",
-        "lacks 2 of its 4 triangles: the numbers of a corner are none, or beyond 1e9",
-        "has a normal that is no number: the triangles give them",
+        "lacks 2 of its 4 triangles: a corner has invalid numbers, or numbers beyond 1e9",
+        "has an invalid normal: the normals of the triangles are used there",
     ];
     assert_eq!(model.warnings, expected);
     document["extensionsRequired"] = json!(["ACME_warp"]);
     let told = decoded(&file(&document.to_string(), &bytes)).unwrap_err();
-    assert_eq!(told, "needs `ACME_warp`, which raytoy does not know: export it without");
+    assert_eq!(told, "needs `ACME_warp`, which raytoy does not support: export the model without it");
 }
 
 #[test]

@@ -44,21 +44,23 @@ pub fn viewed<'b>(buffers: &'b [Buffer<'_>], view: &View) -> Result<&'b [u8], St
         Buffer::Here(bytes) => bytes,
         Buffer::Decoded(bytes) => bytes,
         Buffer::Beside(bytes) => bytes,
-        Buffer::Missing => return Err("is damaged: one of its buffers is nowhere".into()),
+        Buffer::Missing => return Err("is damaged: a buffer is missing".into()),
     };
     let end = view.byte_offset.checked_add(view.byte_length);
     let found = end.and_then(|end| bytes.get(view.byte_offset..end));
-    found.ok_or_else(|| "is damaged: corners are not where the file says that they are".into())
+    found.ok_or_else(|| "is damaged: the data of its corners is outside of its buffers".into())
 }
 
 fn located<'a>(uri: &str, beside: &mut Beside<'_>) -> Result<Buffer<'a>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
-        let (_, text) = data.split_once(";base64,").ok_or("is damaged: a buffer is no base64")?;
-        let bytes = from_base64(text).ok_or("is damaged: a buffer is no base64")?;
+        let (_, text) = data.split_once(";base64,").ok_or("is damaged: a buffer is not valid base64")?;
+        let bytes = from_base64(text).ok_or("is damaged: a buffer is not valid base64")?;
         return Ok(Buffer::Decoded(bytes));
     }
     if uri.contains("://") {
-        return Err(format!("needs `{uri}`, and raytoy fetches nothing: export it as one .glb"));
+        return Err(format!(
+            "needs `{uri}` from the network, which raytoy does not read: export the model as one .glb"
+        ));
     }
     beside(&from_percents(uri)).map(Buffer::Beside)
 }

@@ -15,14 +15,14 @@ pub fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     match word(bytes, 4) {
         Some(2) => {}
         Some(1) => return Err("is glTF 1.0: export it as glTF 2.0".into()),
-        version => return Err(format!("is glTF {}, which raytoy does not know", version.unwrap_or(0))),
+        version => return Err(format!("is glTF {}, which raytoy does not support", version.unwrap_or(0))),
     }
     let (mut json, mut blob) = (None, None);
     let mut rest = &bytes[HEADER..];
     while let (Some(length), Some(kind)) = (word(rest, 0), word(rest, 4)) {
         let end = (length as usize).saturating_add(8);
         let Some(chunk) = rest.get(8..end) else {
-            return Err("is damaged: one of its chunks goes on behind its end".into());
+            return Err("is damaged: a chunk is longer than the file".into());
         };
         match kind {
             JSON => json = json.or(Some(chunk)),

@@ -176,7 +176,7 @@ impl Document {
         }
         let document = read.map_err(|error| format!("is damaged: {error}"))?;
         if document.asset.is_none() && document.meshes.is_empty() {
-            return Err("is JSON, but no glTF".into());
+            return Err("is JSON, but not glTF".into());
         }
         Ok(document)
     }
@@ -207,7 +207,7 @@ pub fn at<'a, T>(all: &'a [T], index: usize, noun: &str) -> Result<&'a T, String
 }
 
 fn missing(noun: &str, index: usize) -> String {
-    format!("is damaged: it names {noun} {index}, which is not in it")
+    format!("is damaged: it refers to {noun} {index}, which does not exist")
 }
 
 /// The version of a document that cannot be read as one of version 2.

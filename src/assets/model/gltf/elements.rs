@@ -59,7 +59,7 @@ impl<'a> Elements<'a> {
     ) -> Result<Self, String> {
         let accessor = at(&document.accessors, index, "accessor")?;
         if accessor.kind != kind.name() {
-            return Err("is damaged: corners are not made of the numbers that they should be made of".into());
+            return Err("is damaged: its corners have data of the wrong type".into());
         }
         let number = Number::of(accessor.component_type)?;
         let strided = |view: usize, offset: usize, count: usize, kind: Kind, number: Number| {
@@ -125,7 +125,7 @@ impl<'a> Strided<'a> {
         let taken = count.checked_sub(1).and_then(|last| last.checked_mul(stride)?.checked_add(size));
         let is_there = |bytes: &&[u8]| count == 0 || taken.is_some_and(|taken| taken <= bytes.len());
         let bytes = bytes.filter(is_there).filter(|_| stride >= size);
-        let bytes = bytes.ok_or("is damaged: corners are not where the file says that they are")?;
+        let bytes = bytes.ok_or("is damaged: the data of its corners is outside of its buffers")?;
         Ok(Self { bytes, stride, number })
     }
 
@@ -178,7 +178,7 @@ impl Number {
             5123 => Self::U16,
             5125 => Self::U32,
             5126 => Self::F32,
-            other => return Err(format!("is damaged: there are no numbers of the type {other}")),
+            other => return Err(format!("is damaged: the number type {other} does not exist")),
         })
     }
 

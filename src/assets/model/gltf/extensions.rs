@@ -47,13 +47,15 @@ pub fn check(document: &Document) -> Result<Option<String>, String> {
             return Err(compressed(name, extension));
         }
         if !is_known(needed) {
-            return Err(format!("needs `{needed}`, which raytoy does not know: export it without"));
+            return Err(format!(
+                "needs `{needed}`, which raytoy does not support: export the model without it"
+            ));
         }
     }
     let is_packed = |name: &str| PACKED.iter().any(|(known, _)| *known == name);
     let unknown = document.extensions_used.iter().filter(|name| !is_known(name) && !is_packed(name));
     let unknown: Vec<String> = unknown.map(|name| format!("`{name}`")).collect();
-    let warning = || format!("uses {}, which raytoy does not know", unknown.join(", "));
+    let warning = || format!("uses {}, which raytoy does not support", unknown.join(", "));
     Ok((!unknown.is_empty()).then(warning))
 }
 

@@ -99,7 +99,7 @@ impl<'a> Reader<'a> {
             for n in 0..faces {
                 let [a, b, c] = face(mode, n).map(corner);
                 let (Some((a, mirrors)), Some((b, _)), Some((c, _))) = (a, b, c) else {
-                    findings.lose(|| "a face has a corner that is not in the file".into());
+                    findings.lose(|| "a face has a corner that does not exist".into());
                     continue;
                 };
                 let corners = if mirrors { [a, c, b] } else { [a, b, c] };

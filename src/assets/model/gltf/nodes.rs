@@ -18,7 +18,7 @@ pub fn to_scene(document: &Document) -> Result<Vec<DMat4>, String> {
         for child in &node.children {
             at(&document.nodes, *child, "node")?;
             if parents[*child].replace(index).is_some() {
-                return Err("is damaged: one of its nodes stands in two places".into());
+                return Err("is damaged: a node has two parents".into());
             }
         }
     }
@@ -33,7 +33,7 @@ pub fn to_scene(document: &Document) -> Result<Vec<DMat4>, String> {
         waiting.extend(node.children.iter().map(|child| (*child, matrices[index])));
     }
     if count < matrices.len() {
-        return Err("is damaged: one of its nodes stands below itself".into());
+        return Err("is damaged: a node is its own ancestor".into());
     }
     Ok(matrices)
 }
@@ -49,7 +49,7 @@ pub fn visible(document: &Document) -> Result<Vec<usize>, String> {
     while let Some(index) = waiting.pop() {
         let node = at(&document.nodes, index, "node")?;
         if std::mem::replace(&mut is_known[index], true) {
-            return Err("is damaged: one of its nodes stands in two places".into());
+            return Err("is damaged: a node has two parents".into());
         }
         if node.extensions.visibility.as_ref().is_none_or(|visibility| visibility.visible) {
             found.push(index);
