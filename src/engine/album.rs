@@ -13,7 +13,7 @@ use crate::frame::Moment;
 use crate::gpu::Gpu;
 
 /// What to take, and where to put it.
-pub struct Order {
+pub struct CaptureRequest {
     pub compiled: Arc<Compiled>,
     pub moment: Moment,
     pub size: [u32; 2],
@@ -43,7 +43,7 @@ impl Album {
         Self { gpu, wake: Arc::new(wake), running: None }
     }
 
-    pub fn take(&mut self, order: Order) {
+    pub fn take(&mut self, order: CaptureRequest) {
         let (done, stops) = (Arc::new(AtomicU32::new(0)), Arc::new(AtomicBool::new(false)));
         let (sender, result) = channel();
         self.running = Some(Running { done: done.clone(), stops: stops.clone(), result });
@@ -86,13 +86,13 @@ impl Album {
     }
 }
 
-impl Order {
+impl CaptureRequest {
     fn carry_out(
         &self,
         gpu: &Gpu,
         progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
     ) -> Result<(), CaptureError> {
-        let Order { compiled, moment, size, samples, .. } = self;
+        let CaptureRequest { compiled, moment, size, samples, .. } = self;
         let shot = Shot { gpu, compiled, moment: *moment, size: *size, samples: *samples };
         if let Some(format) = MovieFormat::of(&self.path) {
             return movie(&shot, &self.frames, &self.path, format, progress).map(drop);

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::builder_messages::Version;
 use super::events::Change;
-use super::orders::Version;
 use crate::gpu::{Gpu, Pipeline};
 use crate::sketch::Sketch;
 

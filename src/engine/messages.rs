@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use super::builder_messages::BuilderEvent;
 use super::events::Change;
-use super::orders::Built;
 use super::thumbnails;
 use crate::compile::Compiled;
 use crate::diagnostic::Report;
@@ -15,7 +15,7 @@ use crate::outline::Outline;
 
 /// What the window wants to see.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
+pub struct ViewRequest {
     /// Where in the window the picture's top left is, pixels.
     pub corner: [u32; 2],
     /// Pixels.
@@ -36,7 +36,7 @@ pub struct Look {
     pub asks: bool,
 }
 
-impl Look {
+impl ViewRequest {
     /// Whether any of it is a debug view.
     pub fn has_views(&self) -> bool {
         self.view != View::Color || self.split.is_some()
@@ -63,15 +63,15 @@ impl Clock {
 }
 
 /// Something for the painter to do.
-pub enum Wish {
-    Built(Built),
-    Look(Look),
+pub enum PainterCommand {
+    Built(BuilderEvent),
+    View(ViewRequest),
     /// The last picture is on the screen.
     Shown,
 }
 
 /// Something for the window to show.
-pub enum Notice {
+pub enum EngineEvent {
     Picture(Picture),
     /// What became of the frame that was sent to the screen.
     Frame {
@@ -95,7 +95,7 @@ pub enum Notice {
     /// What lies under each pixel of the picture that was asked for last.
     Identity(Box<Identity>),
     /// What a gallery asked for.
-    Gallery(thumbnails::News),
+    Gallery(thumbnails::ThumbnailEvent),
     /// A capture has come further.
     Captured,
     /// The scene is wrong; nothing else changes.

@@ -9,17 +9,17 @@
 
 pub mod album;
 pub mod builder;
+pub mod builder_messages;
+mod compositor;
+pub mod crash_guard;
 mod drawable;
-mod easel;
 pub mod events;
 pub mod focus;
 pub mod messages;
-pub mod orders;
 pub mod painter;
 pub mod thumbnails;
-pub mod trial;
 
+pub use self::builder_messages::BuilderCommand;
 pub use self::events::Change;
 pub use self::focus::Focus;
-pub use self::messages::{Clock, Look, Picture, Slow, Texels};
-pub use self::orders::Order;
+pub use self::messages::{Clock, Picture, Slow, Texels, ViewRequest};

@@ -29,6 +29,6 @@ pub use image::{MAX_SIDE, Picture, PictureTimes, Renderer, render};
 pub use lines::{Line, Lines};
 pub use pace::Pace;
 pub use pipeline::Pipeline;
-pub use probe::{Crossing, Look, Probe, Ray, SurfacePoint};
+pub use probe::{Crossing, MaterialSample, Probe, Ray, SurfacePoint};
 pub use region::Region;
 pub use tracer::Tracer;

@@ -43,7 +43,7 @@ pub struct SurfacePoint {
 
 /// What a material looks like at one point; linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
+pub struct MaterialSample {
     pub color: Vec3,
     pub emission: Vec3,
 }
@@ -131,8 +131,8 @@ impl Probe {
     ///
     /// # Errors
     /// Where a loop of the author's had to be ended, or the device stops to answer.
-    pub fn materials(&self, points: &[SurfacePoint]) -> Result<Vec<Look>, GpuError> {
-        let answer = |a: &LookAnswer| Look { color: a.color, emission: a.emission };
+    pub fn materials(&self, points: &[SurfacePoint]) -> Result<Vec<MaterialSample>, GpuError> {
+        let answer = |a: &LookAnswer| MaterialSample { color: a.color, emission: a.emission };
         let looks = self.materials.ask(&self.gpu, &self.scene, points, PointQuestion::of, answer)?;
         self.verdict()?;
         Ok(looks)

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use egui::{Align, Layout, RichText, Ui};
 
-use super::{Deeds, Panel};
+use super::{Actions, Panel};
 use crate::engine::messages::Clock;
 use crate::frame::View;
 use crate::panel::commands::Command;
@@ -17,16 +17,16 @@ const ENOUGH: f32 = 165.0;
 const SPAN: f32 = 20.0;
 
 impl Panel {
-    pub(super) fn bar(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+    pub(super) fn bar(&mut self, ui: &mut Ui, actions: &mut Actions) {
         ui.add_space(3.0);
         ui.horizontal(|ui| {
-            self.main_menu(ui, deeds);
+            self.main_menu(ui, actions);
             ui.separator();
             self.scene_menu(ui);
             view_menu(ui, "view", &mut self.view);
             ui.separator();
             for command in [Command::Undo, Command::Redo, Command::Home, Command::KeepView] {
-                self.button(ui, command, deeds);
+                self.button(ui, command, actions);
             }
             ui.separator();
             for command in [
@@ -37,22 +37,22 @@ impl Panel {
                 Command::Gallery,
             ] {
                 if ui.available_width() > ENOUGH {
-                    self.button(ui, command, deeds);
+                    self.button(ui, command, actions);
                 }
             }
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| self.saving(ui, deeds));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| self.saving(ui, actions));
         });
         ui.add_space(1.0);
     }
 
-    fn main_menu(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+    fn main_menu(&mut self, ui: &mut Ui, actions: &mut Actions) {
         let title = egui::Button::new(RichText::new("☰ raytoy").strong().size(15.0));
         let (opener, _) = egui::containers::menu::MenuButton::from_button(title).ui(ui, |ui| {
             ui.set_min_width(180.0);
-            self.menu_item(ui, Command::Gallery, deeds);
+            self.menu_item(ui, Command::Gallery, actions);
             ui.separator();
-            self.menu_item(ui, Command::NewScene, deeds);
-            self.menu_item(ui, Command::NewTexture, deeds);
+            self.menu_item(ui, Command::NewScene, actions);
+            self.menu_item(ui, Command::NewTexture, actions);
             ui.separator();
             for command in [
                 Command::Gizmos,
@@ -62,19 +62,19 @@ impl Panel {
                 Command::Magnifier,
                 Command::SavePicture,
             ] {
-                self.menu_item(ui, command, deeds);
+                self.menu_item(ui, command, actions);
             }
             ui.separator();
             for command in [Command::Palette, Command::CheatSheet, Command::Theme, Command::Quit] {
-                self.menu_item(ui, command, deeds);
+                self.menu_item(ui, command, actions);
             }
         });
         opener.accessible_name("raytoy");
     }
 
     /// Where edits go, and what became of them.
-    fn saving(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
-        self.button(ui, Command::OnlyTry, deeds);
+    fn saving(&mut self, ui: &mut Ui, actions: &mut Actions) {
+        self.button(ui, Command::OnlyTry, actions);
         let visuals = ui.visuals();
         let (text, color) = match (&self.document.failure, &self.notice, self.document.is_saved()) {
             (Some(failure), ..) => (failure.as_str(), visuals.error_fg_color),
@@ -85,14 +85,14 @@ impl Panel {
         ui.add(egui::Label::new(RichText::new(text).color(color).small()).truncate()).on_hover_text(text);
     }
 
-    pub(super) fn clock_bar(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+    pub(super) fn clock_bar(&mut self, ui: &mut Ui, actions: &mut Actions) {
         ui.add_space(2.0);
         ui.horizontal(|ui| {
             let runs = matches!(self.clock, Clock::Running { .. });
-            self.button_called(ui, if runs { "⏸" } else { "▶" }, Command::Pause, deeds);
-            self.button_called(ui, "⏮", Command::Rewind, deeds);
-            self.button_called(ui, "−1", Command::StepBack, deeds);
-            self.button_called(ui, "+1", Command::StepForward, deeds);
+            self.button_called(ui, if runs { "⏸" } else { "▶" }, Command::Pause, actions);
+            self.button_called(ui, "⏮", Command::Rewind, actions);
+            self.button_called(ui, "−1", Command::StepBack, actions);
+            self.button_called(ui, "+1", Command::StepForward, actions);
             let mut time = self.clock.time();
             ui.spacing_mut().slider_width = ui.available_width() - 80.0;
             let end = SPAN * (1.0 + (time / SPAN).floor());

@@ -24,8 +24,8 @@ pub struct Dialog {
 }
 
 /// What the dialog was told to do.
-pub enum Deed {
-    Take(Box<album::Order>),
+pub enum Action {
+    Take(Box<album::CaptureRequest>),
     Stop,
 }
 
@@ -50,19 +50,19 @@ impl Panel {
         self.dialog.progress = album.progress();
     }
 
-    pub(super) fn capture_dialog(&mut self, ui: &mut Ui) -> Option<Deed> {
+    pub(super) fn capture_dialog(&mut self, ui: &mut Ui) -> Option<Action> {
         let mut is_open = self.dialog.is_open;
-        let mut deed = None;
+        let mut action = None;
         egui::Window::new("Save a picture")
             .open(&mut is_open)
             .resizable(false)
             .default_pos(egui::pos2(390.0, 60.0))
-            .show(ui.ctx(), |ui| deed = self.capture_fields(ui));
+            .show(ui.ctx(), |ui| action = self.capture_fields(ui));
         self.dialog.is_open = is_open;
-        deed
+        action
     }
 
-    fn capture_fields(&mut self, ui: &mut Ui) -> Option<Deed> {
+    fn capture_fields(&mut self, ui: &mut Ui) -> Option<Action> {
         let is_movie = MovieFormat::of(self.dialog.file.as_ref()).is_some();
         let Dialog { size, samples, seconds, rate, file, progress, result, .. } = &mut self.dialog;
         egui::Grid::new("capture").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| {
@@ -94,7 +94,7 @@ impl Panel {
         if let Some(share) = *progress {
             let bar = ui.add(ProgressBar::new(share).desired_width(280.0).show_percentage());
             bar.accessible_name("progress");
-            return ui.button("Stop").clicked().then_some(Deed::Stop);
+            return ui.button("Stop").clicked().then_some(Action::Stop);
         }
         let takes = ui.button(if is_movie { "Save the movie" } else { "Save the picture" }).clicked();
         match result {
@@ -112,6 +112,6 @@ impl Panel {
         let path = PathBuf::from(file);
         let (size, samples) = (*size, *samples);
         let moment = if self.moves { moment } else { Moment { time: 0.0, ..moment } };
-        Some(Deed::Take(Box::new(album::Order { compiled, moment, size, samples, frames, path })))
+        Some(Action::Take(Box::new(album::CaptureRequest { compiled, moment, size, samples, frames, path })))
     }
 }

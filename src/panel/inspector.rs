@@ -7,14 +7,14 @@ use egui::{RichText, Ui};
 
 use super::fields::Fields;
 use super::tree::Tree;
-use super::{Deeds, Panel, changing, picking, widgets};
+use super::{Actions, Panel, changing, picking, widgets};
 use crate::library::Library;
 use crate::outline::{self, Field, Node, NodeKind, Role};
 use crate::sources::Disk;
 
 impl Panel {
-    pub(super) fn inspector(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
-        self.conflicts(ui, deeds);
+    pub(super) fn inspector(&mut self, ui: &mut Ui, actions: &mut Actions) {
+        self.conflicts(ui, actions);
         let Some((outline, text)) = self.outline.take() else { return };
         let scene = self.scene.clone();
         let disk = self.disk.clone();
@@ -36,7 +36,7 @@ impl Panel {
             .max_height(0.42 * height)
             .auto_shrink([false, true])
             .show(ui, |ui| {
-                let Deeds { edits, .. } = deeds;
+                let Actions { edits, .. } = actions;
                 let (selected, wanted) = (&mut self.selected, self.wanted.as_str());
                 Tree { edits, selected, wanted, example: &example, text: &text }.show(ui, &outline);
             });
@@ -49,7 +49,7 @@ impl Panel {
         egui::ScrollArea::vertical().id_salt("fields").auto_shrink([false, false]).show(
             ui,
             |ui| match chosen {
-                Some(node) => self.node(ui, node, deeds, &example),
+                Some(node) => self.node(ui, node, actions, &example),
                 None => {
                     ui.label(RichText::new("Choose something in the tree to see its values.").weak());
                 }
@@ -65,13 +65,13 @@ impl Panel {
         &mut self,
         ui: &mut Ui,
         node: &Node,
-        deeds: &mut Deeds,
+        actions: &mut Actions,
         example: &dyn Fn(Role, &str) -> Option<String>,
     ) {
         ui.horizontal(|ui| {
             ui.label(RichText::new(&node.label).strong().size(14.0));
             if !node.names.is_empty() {
-                self.rename(ui, node, deeds, example);
+                self.rename(ui, node, actions, example);
             }
         });
         ui.label(RichText::new(&node.doc).weak().small());
@@ -82,7 +82,7 @@ impl Panel {
             Some(_) => changing::replaced(place, field, name),
             None => vec![],
         };
-        let (edits, pending) = (&mut deeds.edits, &self.pending);
+        let (edits, pending) = (&mut actions.edits, &self.pending);
         let files = |extensions: &[&str]| with_library(place.0, place.1, |library| library.files(extensions));
         let mut fields = Fields { edits, pending, example: &texture, files: &files, becomes: &becomes };
         widgets::group(ui, &node.label, |ui| fields.show(ui, &node.fields));
@@ -96,7 +96,7 @@ impl Panel {
         &self,
         ui: &mut Ui,
         node: &Node,
-        deeds: &mut Deeds,
+        actions: &mut Actions,
         example: &dyn Fn(Role, &str) -> Option<String>,
     ) {
         let role = if node.kind == NodeKind::Light { Role::Light } else { Role::Solid };
@@ -106,7 +106,7 @@ impl Panel {
             for name in node.names.iter() {
                 let is_new = ui.selectable_label(name == shown, name).clicked() && name != shown;
                 if is_new && example(role, name).is_some() {
-                    deeds.edits.extend(changing::renamed((&self.disk, &self.scene), node, name));
+                    actions.edits.extend(changing::renamed((&self.disk, &self.scene), node, name));
                 }
             }
         });
@@ -114,7 +114,7 @@ impl Panel {
     }
 
     /// What was changed here and in the file, for the author to choose.
-    fn conflicts(&mut self, ui: &mut Ui, deeds: &mut Deeds) {
+    fn conflicts(&mut self, ui: &mut Ui, actions: &mut Actions) {
         let mut choice = None;
         for (i, conflict) in self.document.conflicts.iter().enumerate() {
             egui::Frame::group(ui.style()).show(ui, |ui| {
@@ -135,7 +135,9 @@ impl Panel {
         if let Some((i, with_mine)) = choice
             && self.document.settle(i, with_mine)
         {
-            deeds.orders.push(crate::engine::orders::Order::Edited(self.document.overlay()));
+            actions
+                .orders
+                .push(crate::engine::builder_messages::BuilderCommand::Edited(self.document.overlay()));
         }
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use egui::{Align, Button, Color32, Frame, Id, Key, Layout, Modal, Modifiers, RichText, Ui};
 
-use super::{ACCENT, Deeds, Panel};
+use super::{ACCENT, Actions, Panel};
 use crate::panel::templates;
 
 /// Where the author goes from here.
@@ -42,7 +42,7 @@ impl Panel {
     }
 
     /// Does what [`Panel::leave`] was told, unless changes would be lost: then it asks.
-    pub(super) fn depart(&mut self, ui: &Ui, deeds: &mut Deeds) {
+    pub(super) fn depart(&mut self, ui: &Ui, actions: &mut Actions) {
         let Some(to) = self.leaving.take() else { return };
         let answer = if self.document.is_saved() { Some(Answer::Drop) } else { self.ask(ui) };
         if matches!(answer, Some(Answer::Write)) {
@@ -50,21 +50,21 @@ impl Panel {
         }
         match answer {
             Some(Answer::Stay) => {}
-            Some(Answer::Drop) => self.go(to, deeds),
-            Some(Answer::Write) if self.document.is_saved() => self.go(to, deeds),
+            Some(Answer::Drop) => self.go(to, actions),
+            Some(Answer::Write) if self.document.is_saved() => self.go(to, actions),
             // Not written: the reason stands in the question.
             Some(Answer::Write) | None => self.leaving = Some(to),
         }
     }
 
-    fn go(&mut self, to: Leaving, deeds: &mut Deeds) {
+    fn go(&mut self, to: Leaving, actions: &mut Actions) {
         match to {
-            Leaving::Open(scene) => deeds.orders.push(self.open(&scene)),
+            Leaving::Open(scene) => actions.orders.push(self.open(&scene)),
             Leaving::NewScene => match templates::new_scene(&self.scene) {
-                Ok(scene) => deeds.orders.push(self.open(&scene)),
+                Ok(scene) => actions.orders.push(self.open(&scene)),
                 Err(error) => self.notice = Some(format!("no scene can be written here: {error}")),
             },
-            Leaving::Quit => deeds.quits = true,
+            Leaving::Quit => actions.quits = true,
         }
     }
 

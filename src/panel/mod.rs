@@ -2,20 +2,19 @@
 //!
 //! In: pictures and outlines. Out: a [`Reply`] for each frame. It draws nothing itself and waits for nothing.
 
+mod actions;
 mod bar;
 mod bookmarks;
 mod camera;
 mod capture;
 mod changing;
+mod cheat_sheet;
 mod commands;
-mod deeds;
 mod divider;
 mod document;
 mod editor;
-mod facts;
 mod fields;
 mod gallery;
-mod gauge;
 pub mod handles;
 mod inspector;
 mod leaving;
@@ -28,11 +27,12 @@ mod picture;
 mod scenes;
 mod settings;
 mod shader;
-mod sheet;
 mod slowness;
 mod style;
 mod templates;
+mod timings;
 mod tree;
+mod value_legend;
 mod widgets;
 
 use std::path::{Path, PathBuf};
@@ -41,9 +41,9 @@ use std::time::Instant;
 
 use egui::{TextureId, Ui};
 
-pub use self::capture::Deed as CaptureDeed;
+pub use self::actions::Actions;
+pub use self::capture::Action as CaptureAction;
 pub use self::commands::{COMMANDS, Command};
-pub use self::deeds::Deeds;
 use self::document::Document;
 pub use self::leaving::Leaving;
 pub use self::pending::Pending;
@@ -53,7 +53,7 @@ pub use self::style::{ACCENT, apply as apply_style};
 pub use self::templates::{new_scene, new_texture};
 use crate::compile::Compiled;
 use crate::diagnostic::Report;
-use crate::engine::{Clock, Focus, Look, Order, Picture, Slow, thumbnails};
+use crate::engine::{BuilderCommand, Clock, Focus, Picture, Slow, ViewRequest, thumbnails};
 use crate::frame::View;
 use crate::ir::Camera;
 use crate::outline::Outline;
@@ -82,12 +82,12 @@ pub struct Panel {
     gizmos: bool,
     magnifies: bool,
     divider: divider::Divider,
-    gauge: gauge::Gauge,
+    gauge: value_legend::ValueLegend,
     handles: handles::Handles,
     focus: Focus,
     picking: Picking,
     /// What was asked of the painter last.
-    look: Option<Look>,
+    look: Option<ViewRequest>,
     clock: Clock,
     /// Whether the scene reads the clock.
     moves: bool,
@@ -102,7 +102,7 @@ pub struct Panel {
     wanted: String,
     compiled: Option<Arc<Compiled>>,
     shader: shader::Tab,
-    facts: Vec<(&'static str, String)>,
+    timings: Vec<(&'static str, String)>,
     /// Mistakes, or warnings of a scene that is shown.
     report: Option<mistakes::Told>,
     /// Where drawing is slow, how slow.
@@ -112,7 +112,7 @@ pub struct Panel {
     gallery: gallery::Gallery,
     /// Where the author wants to go, while something is to be asked before.
     leaving: Option<Leaving>,
-    shows_sheet: bool,
+    shows_cheat_sheet: bool,
     /// What could not be done, to be told once.
     notice: Option<String>,
 }
@@ -122,15 +122,15 @@ pub struct Panel {
 enum Tab {
     Scene,
     Shader,
-    Facts,
+    Timings,
 }
 
 /// What the author has done.
 pub struct Reply {
-    pub look: Look,
-    pub orders: Vec<Order>,
-    pub wishes: Vec<thumbnails::Wish>,
-    pub capture: Option<capture::Deed>,
+    pub look: ViewRequest,
+    pub orders: Vec<BuilderCommand>,
+    pub wishes: Vec<thumbnails::ThumbnailCommand>,
+    pub capture: Option<capture::Action>,
     pub quits: bool,
 }
 
@@ -153,7 +153,7 @@ impl Panel {
             magnifies: false,
             slow: None,
             divider: divider::Divider::default(),
-            gauge: gauge::Gauge::default(),
+            gauge: value_legend::ValueLegend::default(),
             handles: handles::Handles::default(),
             focus: Focus::All,
             picking: Picking::default(),
@@ -168,13 +168,13 @@ impl Panel {
             wanted: String::new(),
             compiled: None,
             shader: shader::Tab::default(),
-            facts: vec![],
+            timings: vec![],
             report: None,
             dialog: capture::Dialog::new(&scenes::stem(scene)),
             palette: palette::Palette::default(),
             gallery: gallery::Gallery::default(),
             leaving: None,
-            shows_sheet: false,
+            shows_cheat_sheet: false,
             notice: None,
         }
     }
@@ -194,13 +194,13 @@ impl Panel {
     }
 
     /// Another device takes the place of a lost one: what its builder has to know.
-    pub fn begin_again(&mut self) -> [Order; 2] {
+    pub fn begin_again(&mut self) -> [BuilderCommand; 2] {
         self.picking = Picking::default();
         self.look = None;
         self.slow = None;
         self.gauge.begin_again();
         self.gallery.begin_again();
-        [Order::Edited(self.document.overlay()), Order::Focus(self.focus.clone())]
+        [BuilderCommand::Edited(self.document.overlay()), BuilderCommand::Focus(self.focus.clone())]
     }
 
     /// A new picture is there. Its scene's camera wins over the author's where the file moved it.
@@ -220,15 +220,15 @@ impl Panel {
         }
         self.moves = picture.moves;
         self.compiled = Some(picture.compiled.clone());
-        self.facts = facts::of(picture);
+        self.timings = timings::of(picture);
     }
 
     /// The scene's file holds another text than before.
-    pub fn file_says(&mut self, text: &str) -> Order {
+    pub fn file_says(&mut self, text: &str) -> BuilderCommand {
         let before = self.document.text().map(str::to_owned);
         self.document.file_says(text);
         self.follow_choice(before.as_deref());
-        Order::Edited(self.document.overlay())
+        BuilderCommand::Edited(self.document.overlay())
     }
 
     /// What the scene's text offers to change.
@@ -255,13 +255,13 @@ impl Panel {
 
     /// Lays everything out around `picture`.
     pub fn show(&mut self, ui: &mut Ui, picture: Option<TextureId>) -> Reply {
-        let mut deeds = Deeds::default();
-        self.depart(ui, &mut deeds);
+        let mut actions = Actions::default();
+        self.depart(ui, &mut actions);
         let asks = self.leaving.is_some();
-        self.keys(ui, &mut deeds);
-        egui::Panel::top("bar").show(ui, |ui| self.bar(ui, &mut deeds));
+        self.keys(ui, &mut actions);
+        egui::Panel::top("bar").show(ui, |ui| self.bar(ui, &mut actions));
         if self.moves {
-            egui::Panel::bottom("clock").show(ui, |ui| self.clock_bar(ui, &mut deeds));
+            egui::Panel::bottom("clock").show(ui, |ui| self.clock_bar(ui, &mut actions));
         }
         let side = egui::Panel::right("panel").default_size(self.settings.panel).size_range(settings::PANEL);
         let side = side.show(ui, |ui| {
@@ -269,30 +269,30 @@ impl Panel {
             ui.set_max_width(ui.available_width());
             ui.add_space(4.0);
             ui.horizontal(|ui| {
-                for (tab, name) in [(Tab::Scene, "Scene"), (Tab::Shader, "Shader"), (Tab::Facts, "Cost")] {
+                for (tab, name) in [(Tab::Scene, "Scene"), (Tab::Shader, "Shader"), (Tab::Timings, "Cost")] {
                     ui.selectable_value(&mut self.tab, tab, name);
                 }
             });
             ui.separator();
             match self.tab {
-                Tab::Scene => self.inspector(ui, &mut deeds),
+                Tab::Scene => self.inspector(ui, &mut actions),
                 Tab::Shader => self.shader(ui),
-                Tab::Facts => facts::show(ui, &self.adapter, &self.facts),
+                Tab::Timings => timings::show(ui, &self.adapter, &self.timings),
             }
         });
         self.settings.panel = side.response.rect.width();
         let shown = egui::CentralPanel::no_frame().show(ui, |ui| self.picture(ui, picture));
         let look = shown.inner;
-        self.measure(ui, shown.response.rect, &mut deeds);
-        deeds.edits.append(&mut self.handles.edits);
+        self.measure(ui, shown.response.rect, &mut actions);
+        actions.edits.append(&mut self.handles.edits);
         let capture = self.capture_dialog(ui);
-        self.palette(ui, &mut deeds);
-        let wishes = self.gallery(ui, &mut deeds);
+        self.palette(ui, &mut actions);
+        let wishes = self.gallery(ui, &mut actions);
         self.sheet(ui);
-        self.act(ui, &mut deeds);
+        self.act(ui, &mut actions);
         if self.leaving.is_some() && !asks {
             ui.ctx().request_repaint();
         }
-        Reply { look, orders: deeds.orders, wishes, capture, quits: deeds.quits }
+        Reply { look, orders: actions.orders, wishes, capture, quits: actions.quits }
     }
 }

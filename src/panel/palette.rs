@@ -10,7 +10,7 @@ use egui::{
 
 use super::commands::keys_of;
 use super::scenes::{full_name, stem};
-use super::{Deeds, Leaving, Panel};
+use super::{Actions, Leaving, Panel};
 use crate::frame::View;
 use crate::panel::commands::{COMMANDS, Command};
 
@@ -58,7 +58,7 @@ impl Palette {
 }
 
 impl Panel {
-    pub(super) fn palette(&mut self, ui: &Ui, deeds: &mut Deeds) {
+    pub(super) fn palette(&mut self, ui: &Ui, actions: &mut Actions) {
         let Some(mut query) = self.palette.0.take() else { return };
         let lines = self.lines(ui);
         let id = egui::Id::unique("palette");
@@ -67,15 +67,15 @@ impl Panel {
         let modal = Modal::new(id).area(area).backdrop_color(Color32::from_black_alpha(70));
         let shown = modal.show(ui.ctx(), |ui| query.show(ui, lines));
         match shown.inner.clone() {
-            Some(item) => self.run(item, ui, deeds),
+            Some(item) => self.run(item, ui, actions),
             None if shown.should_close() => {}
             None => self.palette.0 = Some(query),
         }
     }
 
-    fn run(&mut self, item: Item, ui: &Ui, deeds: &mut Deeds) {
+    fn run(&mut self, item: Item, ui: &Ui, actions: &mut Actions) {
         match item {
-            Item::Command(command) => self.perform(command, ui.ctx(), deeds),
+            Item::Command(command) => self.perform(command, ui.ctx(), actions),
             Item::View(view) => self.view = view,
             Item::Scene(scene) => self.leave(Leaving::Open(scene)),
             Item::Bookmark(digit) => self.go_to(digit),
@@ -125,8 +125,8 @@ impl Query {
             self.marked = 0;
         }
         ui.separator();
-        lines.retain(|line| strangeness(&line.name, &self.text).is_some());
-        lines.sort_by_key(|line| strangeness(&line.name, &self.text));
+        lines.retain(|line| fuzzy_score(&line.name, &self.text).is_some());
+        lines.sort_by_key(|line| fuzzy_score(&line.name, &self.text));
         self.marked = (self.marked + down).min(lines.len().saturating_sub(1)).saturating_sub(up);
         let mut chosen = lines.get(self.marked).filter(|_| runs).map(|line| line.item.clone());
         if lines.is_empty() {
@@ -175,7 +175,7 @@ impl Line {
 }
 
 /// How many words of `wanted` begin no word of `name`; None where it does not have them all somewhere.
-pub fn strangeness(name: &str, wanted: &str) -> Option<usize> {
+pub fn fuzzy_score(name: &str, wanted: &str) -> Option<usize> {
     let (name, wanted) = (name.to_lowercase(), wanted.to_lowercase());
     let begins = |word: &str| name.split([' ', '_']).any(|own| own.starts_with(word));
     let mut words = wanted.split_whitespace();
@@ -184,14 +184,14 @@ pub fn strangeness(name: &str, wanted: &str) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::strangeness;
+    use super::fuzzy_score;
 
     #[test]
     fn names_that_begin_with_what_was_typed_come_first() {
-        assert_eq!(strangeness("Open table", "ta OP"), Some(0));
-        assert_eq!(strangeness("Open fractals", "op ta"), Some(1));
-        assert_eq!(strangeness("Open mirror_room", "room"), Some(0));
-        assert_eq!(strangeness("Open table", "open room"), None);
-        assert_eq!(strangeness("Undo", ""), Some(0));
+        assert_eq!(fuzzy_score("Open table", "ta OP"), Some(0));
+        assert_eq!(fuzzy_score("Open fractals", "op ta"), Some(1));
+        assert_eq!(fuzzy_score("Open mirror_room", "room"), Some(0));
+        assert_eq!(fuzzy_score("Open table", "open room"), None);
+        assert_eq!(fuzzy_score("Undo", ""), Some(0));
     }
 }

@@ -3,7 +3,7 @@
 use egui::{Color32, ColorImage, RichText, TextureHandle, TextureOptions, Ui};
 use glam::{Vec2, Vec3};
 
-use super::handles::Frame;
+use super::handles::Viewport;
 use super::{ACCENT, Panel};
 use crate::engine::focus::Focus;
 use crate::gpu::{Identity, Seen, gizmo};
@@ -75,7 +75,7 @@ impl Panel {
     }
 
     /// The light whose gizmo is shown nearest to a pixel.
-    fn light_at(&self, frame: &Frame, pixel: [u32; 2]) -> Option<usize> {
+    fn light_at(&self, frame: &Viewport, pixel: [u32; 2]) -> Option<usize> {
         let is_shown = self.gizmos && !matches!(self.focus, Focus::Material(_));
         let scene = &self.compiled.as_ref().filter(|_| is_shown)?.scene;
         let camera = self.camera.or(self.home)?;

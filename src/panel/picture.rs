@@ -5,11 +5,11 @@ use egui::{Color32, PointerButton, Sense, TextureId, Ui, WidgetInfo};
 use glam::Vec2;
 
 use super::{Panel, slowness};
-use crate::engine::messages::Look;
+use crate::engine::messages::ViewRequest;
 use crate::panel::camera;
 
 impl Panel {
-    pub(super) fn picture(&mut self, ui: &mut Ui, picture: Option<TextureId>) -> Look {
+    pub(super) fn picture(&mut self, ui: &mut Ui, picture: Option<TextureId>) -> ViewRequest {
         let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "picture"));
         if picture.is_none() && self.report.is_none() {
@@ -41,7 +41,7 @@ impl Panel {
         if let Some(slow) = &self.slow {
             slowness::show(ui, area, size, slow);
         }
-        let look = Look {
+        let look = ViewRequest {
             corner: [pixels(area.min.x), pixels(area.min.y)],
             size,
             camera: self.camera,
@@ -53,8 +53,8 @@ impl Panel {
             gizmos: self.gizmos,
             asks: self.asks(),
         };
-        let Look { corner, mouse, asks, gizmos, .. } = look;
-        if self.look.is_some_and(|before| Look { corner, mouse, asks, gizmos, ..before } != look) {
+        let ViewRequest { corner, mouse, asks, gizmos, .. } = look;
+        if self.look.is_some_and(|before| ViewRequest { corner, mouse, asks, gizmos, ..before } != look) {
             self.picking.forget();
         }
         self.look = Some(look);

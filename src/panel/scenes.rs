@@ -5,17 +5,17 @@ use std::path::{Path, PathBuf};
 use egui::{RichText, Ui};
 
 use super::{Leaving, Panel};
-use crate::engine::orders::Order;
+use crate::engine::builder_messages::BuilderCommand;
 
 impl Panel {
     /// Goes on with another scene.
-    pub(super) fn open(&mut self, scene: &Path) -> Order {
+    pub(super) fn open(&mut self, scene: &Path) -> BuilderCommand {
         let (adapter, settings) = (std::mem::take(&mut self.adapter), std::mem::take(&mut self.settings));
         let known = Self::new(scene, adapter, settings);
         let (view, gizmos, tab, magnifies) = (self.view, self.gizmos, self.tab, self.magnifies);
         let (gallery, divider) = (std::mem::take(&mut self.gallery), std::mem::take(&mut self.divider));
         *self = Self { view, gizmos, tab, magnifies, divider, gallery, ..known };
-        Order::Open(scene.to_owned())
+        BuilderCommand::Open(scene.to_owned())
     }
 
     pub(super) fn scene_menu(&mut self, ui: &mut Ui) {

@@ -55,7 +55,7 @@ impl Tree<'_> {
         fits || node.nodes.iter().any(|inner| self.is_wanted(inner))
     }
 
-    #[expect(clippy::too_many_arguments, reason = "all of a line's facts, used once")]
+    #[expect(clippy::too_many_arguments, reason = "all of a line's timings, used once")]
     fn line(
         &mut self,
         ui: &mut Ui,

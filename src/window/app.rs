@@ -12,18 +12,18 @@ use winit::window::{Window, WindowId};
 use super::Options;
 use super::backend::{self, Backend};
 use super::open::{Fresh, Open};
-use super::screen::Frame;
+use super::screen::Presented;
 use crate::diagnostic::{Diagnostic, Report, Severity};
+use crate::engine::builder_messages::BuilderCommand;
+use crate::engine::crash_guard::CrashGuard;
 use crate::engine::events::Event;
-use crate::engine::messages::{Notice, Remote, Wish};
-use crate::engine::orders::Order;
-use crate::engine::trial::Trial;
+use crate::engine::messages::{EngineEvent, PainterCommand, Remote};
 use crate::gpu::GpuError;
 use crate::panel::{Memory, Panel, Theme};
 
 /// Opens the window and returns when it is closed.
 pub fn run(options: Options, on_event: &dyn Fn(&Event)) -> Result<(), String> {
-    let events = EventLoop::<(u32, Notice)>::with_user_event().build().map_err(|error| {
+    let events = EventLoop::<(u32, EngineEvent)>::with_user_event().build().map_err(|error| {
         let instead = "without a display, draw to a file: raytoy render SCENE -o out.png";
         format!("no window can be opened: {error}\n{instead}")
     })?;
@@ -37,7 +37,7 @@ pub fn run(options: Options, on_event: &dyn Fn(&Event)) -> Result<(), String> {
 struct App<'a> {
     options: Options,
     on_event: &'a dyn Fn(&Event),
-    proxy: EventLoopProxy<(u32, Notice)>,
+    proxy: EventLoopProxy<(u32, EngineEvent)>,
     open: Option<Open>,
     /// Why the window had to close.
     failure: Option<String>,
@@ -64,7 +64,7 @@ impl App<'_> {
             &window,
             event_loop,
             0,
-            (&self.options.scene, Trial::default(), memory.kept().theme),
+            (&self.options.scene, CrashGuard::default(), memory.kept().theme),
         )?;
         let panel = Panel::new(&self.options.scene, backend.adapter(), memory.kept().clone());
         let panel = panel.on(&self.options.disk);
@@ -78,7 +78,7 @@ impl App<'_> {
         window: &Arc<Window>,
         event_loop: &ActiveEventLoop,
         number: u32,
-        begun: (&Path, Trial, Theme),
+        begun: (&Path, CrashGuard, Theme),
     ) -> Result<Backend, String> {
         let proxy = self.proxy.clone();
         // A loop that has ended wants no more news.
@@ -89,16 +89,25 @@ impl App<'_> {
     /// Goes on with another device in place of one that is lost. What the author has done stays.
     fn restart(&mut self, event_loop: &ActiveEventLoop, why: String) {
         let Some(open) = self.open.take() else { return };
-        let Open { window, mut backend, restarts, vain, mut trial, mut panel, memory: kept, .. } = open;
-        trial.fail(&why);
+        let Open {
+            window,
+            mut backend,
+            restarts,
+            failed_restarts,
+            mut crash_guard,
+            mut panel,
+            memory: kept,
+            ..
+        } = open;
+        crash_guard.fail(&why);
         let memory = backend.context.memory(Clone::clone);
         let picture = backend.screen.take_picture();
         // The surface has to let go of the window before another one takes it.
         drop(backend);
         let number = restarts + 1;
-        let started = match vain < MAX_FAILED_RESTARTS {
+        let started = match failed_restarts < MAX_FAILED_RESTARTS {
             true => {
-                let begun = (panel.scene(), trial.clone(), panel.settings.theme);
+                let begun = (panel.scene(), crash_guard.clone(), panel.settings.theme);
                 self.backend(&window, event_loop, number, begun)
             }
             false => Err(format!("the GPU is lost again and again: {why}")),
@@ -114,7 +123,7 @@ impl App<'_> {
                 window.request_redraw();
                 (self.on_event)(&Event::Restarted { adapter: backend.adapter(), why });
                 let open = Open::new(window, backend, number, panel, kept);
-                self.open = Some(Open { vain: vain + 1, trial, ..open });
+                self.open = Some(Open { failed_restarts: failed_restarts + 1, crash_guard, ..open });
             }
             Err(why) => {
                 self.failure = Some(why);
@@ -140,10 +149,10 @@ impl App<'_> {
             (self.on_event)(&Event::Chosen { object });
         }
         let frame = open.draw();
-        if frame != Frame::Dropped {
+        if frame != Presented::Dropped {
             open.sent = open.fresh.take();
         }
-        if frame == Frame::Shown {
+        if frame == Presented::Shown {
             self.presented();
         }
     }
@@ -151,9 +160,9 @@ impl App<'_> {
     /// The frame drawn last is on the screen.
     fn presented(&mut self) {
         let Some(open) = &mut self.open else { return };
-        let _ = open.backend.painter.send(Wish::Shown);
+        let _ = open.backend.painter.send(PainterCommand::Shown);
         let Some(Fresh { mut event, noticed, compiled }) = open.sent.take() else { return };
-        let _ = open.backend.builder.send(Order::Shown(compiled));
+        let _ = open.backend.builder.send(BuilderCommand::Shown(compiled));
         if let Event::Presented { since_change_ms, blocked_ms, .. } = &mut event {
             *since_change_ms = noticed.elapsed().as_secs_f64() * 1e3;
             *blocked_ms = self.blocked.as_secs_f64() * 1e3;
@@ -163,7 +172,7 @@ impl App<'_> {
     }
 }
 
-impl ApplicationHandler<(u32, Notice)> for App<'_> {
+impl ApplicationHandler<(u32, EngineEvent)> for App<'_> {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
         if self.open.is_some() {
             return;
@@ -177,23 +186,23 @@ impl ApplicationHandler<(u32, Notice)> for App<'_> {
         }
     }
 
-    fn user_event(&mut self, event_loop: &ActiveEventLoop, (device, notice): (u32, Notice)) {
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, (device, notice): (u32, EngineEvent)) {
         self.timed(|app| {
             let Some(open) = &mut app.open else { return };
             // What a lost device still tells is of no use.
-            if device != open.restarts && !matches!(notice, Notice::Remote(_)) {
+            if device != open.restarts && !matches!(notice, EngineEvent::Remote(_)) {
                 return;
             }
             match notice {
-                Notice::Lost(why) | Notice::Failed(GpuError::Lost(why)) => {
+                EngineEvent::Lost(why) | EngineEvent::Failed(GpuError::Lost(why)) => {
                     return app.restart(event_loop, why);
                 }
-                Notice::Remote(Remote::LoseDevice) => return open.backend.lose(),
-                Notice::Picture(picture) => open.take(picture),
-                Notice::Unsketched(compiled) => {
-                    return drop(open.backend.builder.send(Order::Shown(compiled)));
+                EngineEvent::Remote(Remote::LoseDevice) => return open.backend.lose(),
+                EngineEvent::Picture(picture) => open.take(picture),
+                EngineEvent::Unsketched(compiled) => {
+                    return drop(open.backend.builder.send(BuilderCommand::Shown(compiled)));
                 }
-                Notice::Frame { is_shown } => {
+                EngineEvent::Frame { is_shown } => {
                     open.backend.screen.end_frame();
                     if std::mem::take(&mut open.is_outdated) {
                         open.window.request_redraw();
@@ -202,42 +211,42 @@ impl ApplicationHandler<(u32, Notice)> for App<'_> {
                         app.presented()
                     };
                 }
-                Notice::Unchanged(warnings) => {
+                EngineEvent::Unchanged(warnings) => {
                     (app.on_event)(&Event::Unchanged);
                     if !open.panel.mend(&warnings) {
                         return;
                     }
                 }
-                Notice::Mended(warnings) => drop(open.panel.mend(&warnings)),
-                Notice::Tries(compiled) => {
-                    open.trial.begin(compiled);
+                EngineEvent::Mended(warnings) => drop(open.panel.mend(&warnings)),
+                EngineEvent::Tries(compiled) => {
+                    open.crash_guard.begin(compiled);
                     return (app.on_event)(&Event::Begun);
                 }
-                Notice::File(text) => {
+                EngineEvent::File(text) => {
                     // A verdict follows, and shows.
                     let _ = open.backend.builder.send(open.panel.file_says(&text));
                     return;
                 }
-                Notice::Gallery(news) => open.panel.hang(news),
-                Notice::Captured => open.panel.follow(&mut open.backend.album),
-                Notice::Identity(identity) => open.panel.know(identity),
-                Notice::Outline { outline, text } => {
+                EngineEvent::Gallery(news) => open.panel.receive_thumbnails(news),
+                EngineEvent::Captured => open.panel.follow(&mut open.backend.album),
+                EngineEvent::Identity(identity) => open.panel.know(identity),
+                EngineEvent::Outline { outline, text } => {
                     open.panel.offer(outline, text);
                     return open.draw_within(PATIENCE);
                 }
-                Notice::Ready { pipelines } => return (app.on_event)(&Event::Ready { pipelines }),
-                Notice::Broken(report) => {
+                EngineEvent::Ready { pipelines } => return (app.on_event)(&Event::Ready { pipelines }),
+                EngineEvent::Broken(report) => {
                     let errors = report.count(Severity::Error);
                     (app.on_event)(&Event::Broken { errors, text: report.to_string() });
                     open.panel.break_with(report);
                 }
-                Notice::Slow(slow) => {
+                EngineEvent::Slow(slow) => {
                     if let Some(slow) = slow.filter(|_| open.panel.slow.is_none()) {
                         (app.on_event)(&Event::Slow { seconds: slow.sample.as_secs_f64().round() });
                     }
                     open.panel.slow = slow;
                 }
-                Notice::Failed(error) => {
+                EngineEvent::Failed(error) => {
                     let diagnostics = vec![Diagnostic::error(error.to_string())];
                     open.panel.break_with(Report { diagnostics, ..Report::default() });
                 }
@@ -277,13 +286,7 @@ impl ApplicationHandler<(u32, Notice)> for App<'_> {
 
     fn exiting(&mut self, _: &ActiveEventLoop) {
         if let Some(open) = &mut self.open {
-            let window = &open.window;
-            // One that fills the screen has no size to come back to.
-            if !window.is_maximized() && window.fullscreen().is_none() {
-                let size = window.inner_size().to_logical(window.scale_factor());
-                open.panel.settings.size = [size.width, size.height];
-            }
-            open.memory.keep(&open.panel.settings);
+            open.remember();
         }
     }
 

@@ -10,9 +10,9 @@ use winit::window::Window;
 use super::Options;
 use super::screen::Screen;
 use crate::engine::album::Album;
-use crate::engine::messages::{Notice, Wish};
-use crate::engine::orders::Order;
-use crate::engine::trial::Trial;
+use crate::engine::builder_messages::BuilderCommand;
+use crate::engine::crash_guard::CrashGuard;
+use crate::engine::messages::{EngineEvent, PainterCommand};
 use crate::engine::{builder, painter, thumbnails};
 use crate::gpu::Gpu;
 use crate::panel::{self, Theme};
@@ -22,20 +22,20 @@ pub struct Backend {
     pub screen: Screen,
     pub context: egui::Context,
     pub input: egui_winit::State,
-    pub builder: Sender<Order>,
-    pub painter: Sender<Wish>,
+    pub builder: Sender<BuilderCommand>,
+    pub painter: Sender<PainterCommand>,
     pub album: Album,
-    pub thumbnails: Sender<thumbnails::Wish>,
+    pub thumbnails: Sender<thumbnails::ThumbnailCommand>,
     /// That of the picture.
     gpu: Gpu,
 }
 
 /// Passes on what a driving program asks for.
-pub fn listen(options: &Options, proxy: EventLoopProxy<(u32, Notice)>) {
+pub fn listen(options: &Options, proxy: EventLoopProxy<(u32, EngineEvent)>) {
     let Some(remote) = options.remote.clone() else { return };
     std::thread::spawn(move || {
         let remote = remote.lock().expect("nobody else reads it");
-        remote.iter().for_each(|wish| drop(proxy.send_event((0, Notice::Remote(wish)))));
+        remote.iter().for_each(|wish| drop(proxy.send_event((0, EngineEvent::Remote(wish)))));
     });
 }
 
@@ -48,12 +48,12 @@ impl Backend {
         window: &Arc<Window>,
         display: OwnedDisplayHandle,
         options: &Options,
-        (scene, trial, theme): (&Path, Trial, Theme),
-        notify: impl Fn(Notice) + Clone + Send + Sync + 'static,
+        (scene, crash_guard, theme): (&Path, CrashGuard, Theme),
+        notify: impl Fn(EngineEvent) + Clone + Send + Sync + 'static,
     ) -> Result<Self, String> {
         let choice = &options.adapter;
         let frames = notify.clone();
-        let told = move |is_shown| frames(Notice::Frame { is_shown });
+        let told = move |is_shown| frames(EngineEvent::Frame { is_shown });
         let screen = Screen::new(window.clone(), display, choice, told)?;
         // A software driver compiles while it draws, so the picture gets a device of its own.
         let shares_device = !screen.gpu.is_software();
@@ -63,19 +63,19 @@ impl Backend {
         };
         for gpu in [&gpu, &screen.gpu] {
             let notify = notify.clone();
-            gpu.when_lost(move |why| notify(Notice::Lost(why)));
+            gpu.when_lost(move |why| notify(EngineEvent::Lost(why)));
         }
         let painter = painter::start(gpu.clone(), shares_device, notify.clone());
         let wishes = painter.clone();
         let news = notify.clone();
         let thumbnails =
             thumbnails::start(choice.clone(), options.cache.clone(), options.disk.clone(), move |told| {
-                news(Notice::Gallery(told));
+                news(EngineEvent::Gallery(told));
             });
-        let album = Album::new(gpu.clone(), move || notify(Notice::Captured));
-        let built = move |built| drop(wishes.send(Wish::Built(built)));
-        let builder = builder::start(gpu.clone(), options.disk.clone(), trial, built);
-        let _ = builder.send(Order::Open(scene.to_owned()));
+        let album = Album::new(gpu.clone(), move || notify(EngineEvent::Captured));
+        let built = move |built| drop(wishes.send(PainterCommand::Built(built)));
+        let builder = builder::start(gpu.clone(), options.disk.clone(), crash_guard, built);
+        let _ = builder.send(BuilderCommand::Open(scene.to_owned()));
         let context = egui::Context::default();
         panel::apply_style(&context, theme);
         let side = screen.gpu.device.limits().max_texture_dimension_2d as usize;
@@ -104,6 +104,6 @@ impl Backend {
 impl Drop for Backend {
     fn drop(&mut self) {
         // Its watcher holds a sender of its own, so the builder would wait for ever.
-        let _ = self.builder.send(Order::End);
+        let _ = self.builder.send(BuilderCommand::End);
     }
 }

@@ -8,13 +8,13 @@ use std::time::{Duration, Instant};
 use winit::window::Window;
 
 use super::backend::Backend;
-use super::screen::Frame;
+use super::screen::Presented;
 use crate::compile::Compiled;
+use crate::engine::builder_messages::BuilderCommand;
+use crate::engine::crash_guard::CrashGuard;
 use crate::engine::events::Event;
-use crate::engine::messages::{Look, Picture, Wish};
-use crate::engine::orders::Order;
-use crate::engine::trial::Trial;
-use crate::panel::{CaptureDeed, Leaving, Memory, Panel};
+use crate::engine::messages::{PainterCommand, Picture, ViewRequest};
+use crate::panel::{CaptureAction, Leaving, Memory, Panel};
 
 /// What exists while the window does.
 pub struct Open {
@@ -23,12 +23,12 @@ pub struct Open {
     /// How many devices were lost before this one.
     pub restarts: u32,
     /// How many since a picture was there.
-    pub vain: u32,
-    pub trial: Trial,
+    pub failed_restarts: u32,
+    pub crash_guard: CrashGuard,
     pub panel: Panel,
     pub memory: Memory,
     pub quits: bool,
-    pub look: Option<Look>,
+    pub look: Option<ViewRequest>,
     /// A picture that was set and not presented yet.
     pub fresh: Option<Fresh>,
     /// The one of the frame that is on its way.
@@ -48,14 +48,24 @@ pub struct Fresh {
 }
 
 impl Open {
+    /// Writes the settings to their file, with the size of the window.
+    pub fn remember(&mut self) {
+        // A window that fills the screen has no size to come back to.
+        if !self.window.is_maximized() && self.window.fullscreen().is_none() {
+            let size = self.window.inner_size().to_logical(self.window.scale_factor());
+            self.panel.settings.size = [size.width, size.height];
+        }
+        self.memory.keep(&self.panel.settings);
+    }
+
     pub fn new(window: Arc<Window>, backend: Backend, restarts: u32, panel: Panel, memory: Memory) -> Self {
         let (look, fresh, sent, last_edit, wake) = (None, None, None, None, None);
         Self {
             window,
             backend,
             restarts,
-            vain: 0,
-            trial: Trial::default(),
+            failed_restarts: 0,
+            crash_guard: CrashGuard::default(),
             panel,
             memory,
             quits: false,
@@ -69,8 +79,8 @@ impl Open {
     }
 
     pub fn take(&mut self, picture: Picture) {
-        self.vain = 0;
-        self.trial.end(&picture);
+        self.failed_restarts = 0;
+        self.crash_guard.end(&picture);
         let is_new_edit = self.last_edit != Some(picture.edit);
         self.last_edit = Some(picture.edit);
         self.panel.take(&picture, is_new_edit);
@@ -104,15 +114,15 @@ impl Open {
     }
 
     /// Lays out and presents.
-    pub fn draw(&mut self) -> Frame {
+    pub fn draw(&mut self) -> Presented {
         let input = self.backend.input.take_egui_input(&self.window);
         let picture = self.backend.screen.picture_id();
         let mut reply = None;
         let mut output = self.backend.context.run_ui(input, |ui| reply = Some(self.panel.show(ui, picture)));
         if let Some(reply) = reply {
             match reply.capture {
-                Some(CaptureDeed::Take(order)) => self.backend.album.take(*order),
-                Some(CaptureDeed::Stop) => self.backend.album.stop(),
+                Some(CaptureAction::Take(order)) => self.backend.album.take(*order),
+                Some(CaptureAction::Stop) => self.backend.album.stop(),
                 None => {}
             }
             for wish in reply.wishes {
@@ -124,11 +134,11 @@ impl Open {
             self.quits |= reply.quits;
             let had_views = self.look.is_some_and(|look| look.has_views());
             if had_views != reply.look.has_views() {
-                let _ = self.backend.builder.send(Order::Views(!had_views));
+                let _ = self.backend.builder.send(BuilderCommand::Views(!had_views));
             }
             if self.look != Some(reply.look) {
                 self.look = Some(reply.look);
-                let _ = self.backend.painter.send(Wish::Look(reply.look));
+                let _ = self.backend.painter.send(PainterCommand::View(reply.look));
             }
         }
         // What a hand still drags is not worth a file yet.
@@ -143,10 +153,10 @@ impl Open {
         let Backend { screen, context, .. } = &mut self.backend;
         // Where the device is lost, which is about to be told, egui's renderer panics.
         if screen.gpu.is_lost() {
-            return Frame::Dropped;
+            return Presented::Dropped;
         }
         // It may be lost meanwhile, too.
         catch_unwind(AssertUnwindSafe(|| screen.present(place, context, output, &self.window)))
-            .unwrap_or(Frame::Dropped)
+            .unwrap_or(Presented::Dropped)
     }
 }

@@ -32,7 +32,7 @@ pub struct Screen {
 
 /// What became of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Frame {
+pub enum Presented {
     /// There is none.
     Dropped,
     Shown,
@@ -146,7 +146,7 @@ impl Screen {
         context: &egui::Context,
         mut output: egui::FullOutput,
         window: &Window,
-    ) -> Frame {
+    ) -> Presented {
         let Gpu { device, queue, .. } = &self.gpu;
         let points = output.pixels_per_point;
         let jobs = context.tessellate(std::mem::take(&mut output.shapes), points);
@@ -192,17 +192,17 @@ impl Screen {
         for id in output.textures_delta.free.drain() {
             self.egui.free_texture(&id);
         }
-        let Some(target) = target else { return Frame::Dropped };
+        let Some(target) = target else { return Presented::Dropped };
         window.pre_present_notify();
         match &self.presenter {
             Some(presenter) => {
                 presenter.present(target);
                 self.is_presenting = true;
-                Frame::Sent
+                Presented::Sent
             }
             None => {
                 self.gpu.queue.present(target);
-                Frame::Shown
+                Presented::Shown
             }
         }
     }

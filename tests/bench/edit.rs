@@ -56,10 +56,10 @@ fn measure(gpu: &Gpu, name: &str) {
         std::fs::write(&file, edited).expect("the folder is writable");
         let outcome = compile(&Sources::on_disk(home.path()), &file, Mode::Live, before.as_ref());
         let compiled = outcome.compiled.expect("the scene is right");
-        let twin = compiled.plain().expect("naga has taken the other text");
-        sketched.extend(sketch(gpu, &display, &twin).then(|| saved.elapsed()));
+        let baked = compiled.plain().expect("naga has taken the other text");
+        sketched.extend(sketch(gpu, &display, &baked).then(|| saved.elapsed()));
         let moment = Moment::of(&compiled.scene);
-        render(gpu, &twin, &moment, SIZE, 1, &mut |_| ()).expect("the driver draws it");
+        render(gpu, &baked, &moment, SIZE, 1, &mut |_| ()).expect("the driver draws it");
         drawn.push(saved.elapsed());
         before = Some(compiled);
     }

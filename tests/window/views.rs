@@ -111,7 +111,7 @@ fn open_shader(desk: &Desk) {
 fn wait_for_row(desk: &Desk, color: [u8; 3]) {
     let until = Instant::now() + PATIENCE;
     while !has_row(desk, color) {
-        assert!(Instant::now() < until, "waited in vain for a row with {color:?} behind it");
+        assert!(Instant::now() < until, "waited in failed_restarts for a row with {color:?} behind it");
     }
 }
 

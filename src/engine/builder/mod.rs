@@ -1,6 +1,6 @@
 //! The thread that turns files into pipelines: compile, tell what kind of edit it was, ask the driver.
 //!
-//! In: [`Order`]. Out: [`Built`].
+//! In: [`BuilderCommand`]. Out: [`BuilderEvent`].
 
 mod steps;
 
@@ -9,11 +9,11 @@ use std::sync::Arc;
 use std::sync::mpsc::{Sender, channel};
 use std::time::{Duration, Instant};
 
-use self::steps::Owed;
+use self::steps::NextStage;
+use super::builder_messages::{BuilderCommand, BuilderEvent, Version};
+use super::crash_guard::CrashGuard;
 use super::events::Change;
 use super::focus::Focus;
-use super::orders::{Built, Order, Version};
-use super::trial::Trial;
 use crate::compile::{Compiled, compile, on_deep_stack};
 use crate::diagnostic::{Diagnostic, Report};
 use crate::gpu::Gpu;
@@ -25,12 +25,18 @@ use crate::sources::Disk;
 use crate::watch::Watcher;
 use crate::wgsl::Mode;
 
-/// Starts the thread; each result goes to `done`. What `trial` has found of versions on other devices counts.
-pub fn start(gpu: Gpu, disk: Disk, trial: Trial, done: impl Fn(Built) + Send + 'static) -> Sender<Order> {
+/// Starts the thread; each result goes to `done`. `crash_guard` knows the versions that other devices were
+/// lost over.
+pub fn start(
+    gpu: Gpu,
+    disk: Disk,
+    crash_guard: CrashGuard,
+    done: impl Fn(BuilderEvent) + Send + 'static,
+) -> Sender<BuilderCommand> {
     let (sender, receiver) = channel();
     let changes = sender.clone();
     std::thread::spawn(move || {
-        let watcher = Watcher::new(move || drop(changes.send(Order::Changed)));
+        let watcher = Watcher::new(move || drop(changes.send(BuilderCommand::Changed)));
         let mut builder = Builder {
             gpu,
             disk,
@@ -41,14 +47,14 @@ pub fn start(gpu: Gpu, disk: Disk, trial: Trial, done: impl Fn(Built) + Send + '
             focus: Focus::All,
             measure: None,
             before: None,
-            owed: None,
+            next_stage: None,
             shows_views: false,
-            trial,
+            crash_guard,
         };
         builder.begin_again(&done);
         while let Ok(first) = receiver.recv() {
-            let orders: Vec<Order> = std::iter::once(first).chain(receiver.try_iter()).collect();
-            if orders.iter().any(|order| matches!(order, Order::End)) {
+            let orders: Vec<BuilderCommand> = std::iter::once(first).chain(receiver.try_iter()).collect();
+            if orders.iter().any(|order| matches!(order, BuilderCommand::End)) {
                 return;
             }
             builder.obey(orders, &done);
@@ -71,15 +77,15 @@ struct Builder {
     /// The last version that could be drawn.
     before: Option<Arc<Compiled>>,
     /// What the same has yet to get, once the author sees what is there.
-    owed: Option<Owed>,
+    next_stage: Option<NextStage>,
     shows_views: bool,
-    trial: Trial,
+    crash_guard: CrashGuard,
 }
 
 impl Builder {
     /// Shows what was shown on the device before, which was lost over something else.
-    fn begin_again(&mut self, done: &impl Fn(Built)) {
-        let Some(compiled) = self.trial.good().cloned() else { return };
+    fn begin_again(&mut self, done: &impl Fn(BuilderEvent)) {
+        let Some(compiled) = self.crash_guard.good().cloned() else { return };
         let noticed = Instant::now();
         // What it was drawn with before it is drawn with again; where not, the files tell what is wrong.
         // A picture that has come through memory is on the screen still.
@@ -88,35 +94,36 @@ impl Builder {
     }
 
     /// Takes all orders that have come as one.
-    fn obey(&mut self, orders: Vec<Order>, done: &impl Fn(Built)) {
+    fn obey(&mut self, orders: Vec<BuilderCommand>, done: &impl Fn(BuilderEvent)) {
         let mut is_stale = false;
         let mut is_shown = false;
         for order in orders {
             is_stale |= match &order {
                 // The window tells it again where a file has changed, which is known here.
-                Order::Edited(text) => *text != self.edited,
-                Order::Shown(_) | Order::Views(_) => false,
+                BuilderCommand::Edited(text) => *text != self.edited,
+                BuilderCommand::Shown(_) | BuilderCommand::Views(_) => false,
                 _ => true,
             };
             match order {
-                Order::Open(scene) => {
+                BuilderCommand::Open(scene) => {
                     self.scene = scene;
                     self.edited = None;
                     self.file = None;
                     self.focus = Focus::All;
                     self.measure = None;
                 }
-                Order::Focus(focus) => self.focus = focus,
-                Order::Measure(name) => self.measure = name,
-                Order::Edited(text) => self.edited = text,
-                Order::Changed | Order::End => {}
-                Order::Views(shows) => {
+                BuilderCommand::Focus(focus) => self.focus = focus,
+                BuilderCommand::Measure(name) => self.measure = name,
+                BuilderCommand::Edited(text) => self.edited = text,
+                BuilderCommand::Changed | BuilderCommand::End => {}
+                BuilderCommand::Views(shows) => {
                     self.shows_views = shows;
                     // What is baked may have none, and then nothing can be shown before the rest is there.
                     is_shown |= shows;
                 }
-                Order::Shown(compiled) => {
-                    is_shown |= self.owed.as_ref().is_some_and(|o| Arc::ptr_eq(o.compiled(), &compiled));
+                BuilderCommand::Shown(compiled) => {
+                    is_shown |=
+                        self.next_stage.as_ref().is_some_and(|o| Arc::ptr_eq(o.compiled(), &compiled));
                 }
             }
         }
@@ -125,19 +132,19 @@ impl Builder {
             self.outline(done);
         }
         if is_shown && !is_new {
-            self.pay(done);
+            self.advance(done);
         }
     }
 
     /// Compiles and tells; what kind of change it was, unless the scene is wrong.
-    fn build(&mut self, done: &impl Fn(Built)) -> Option<Change> {
+    fn build(&mut self, done: &impl Fn(BuilderEvent)) -> Option<Change> {
         let noticed = Instant::now();
-        done(Built::Begun);
+        done(BuilderEvent::Begun);
         let disk = self.disk.sources();
         let file = disk.text(&self.scene).ok();
         if file.is_some() && file != self.file {
             self.file = file;
-            done(Built::File(self.file.clone().expect("it was just read")));
+            done(BuilderEvent::File(self.file.clone().expect("it was just read")));
         }
         if self.edited == self.file {
             self.edited = None;
@@ -151,18 +158,18 @@ impl Builder {
         self.watcher.watch(sources.asked().into_iter().chain(disk.asked()).collect());
         let broken = |problem| Report { diagnostics: vec![problem], ..outcome.report.clone() };
         let Some(compiled) = outcome.compiled else {
-            done(Built::Broken(outcome.report));
+            done(BuilderEvent::Broken(outcome.report));
             return None;
         };
         let compiled = match self.focus.of(compiled).and_then(|compiled| self.measuring(compiled)) {
             Ok(compiled) => Arc::new(compiled),
             Err(problem) => {
-                done(Built::Broken(broken(problem)));
+                done(BuilderEvent::Broken(broken(problem)));
                 return None;
             }
         };
-        if let Some(report) = self.trial.verdict(&compiled) {
-            done(Built::Broken(report));
+        if let Some(report) = self.crash_guard.verdict(&compiled) {
+            done(BuilderEvent::Broken(report));
             return None;
         }
         let mut change = self.change(&compiled);
@@ -171,7 +178,7 @@ impl Builder {
         }
         if change == Change::Structure {
             if let Err(problem) = self.show(&compiled, outcome.report.clone(), noticed, false, done) {
-                done(Built::Broken(broken(problem)));
+                done(BuilderEvent::Broken(broken(problem)));
                 return None;
             }
         } else {
@@ -180,7 +187,7 @@ impl Builder {
             let version =
                 Version { compiled, change, sketch, baked, pipeline_time, is_on_screen, warnings, noticed };
             self.before = Some(version.compiled.clone());
-            done(Built::Scene(Box::new(version)));
+            done(BuilderEvent::Scene(Box::new(version)));
         }
         Some(change)
     }
@@ -192,7 +199,7 @@ impl Builder {
     }
 
     /// Tells what the scene's text offers to change, if it can be read.
-    fn outline(&self, done: &impl Fn(Built)) {
+    fn outline(&self, done: &impl Fn(BuilderEvent)) {
         let Some(text) = self.edited.clone().or_else(|| self.file.clone()) else { return };
         let sources = self.disk.sources();
         let library = Library::new(&sources, self.scene.parent().unwrap_or(Path::new("")));
@@ -201,7 +208,7 @@ impl Builder {
             Some(outline::outline(&root, &text, &library))
         });
         if let Some(outline) = outline {
-            done(Built::Outline { outline: Box::new(outline), text });
+            done(BuilderEvent::Outline { outline: Box::new(outline), text });
         }
     }
 

@@ -10,23 +10,23 @@ use std::time::Instant;
 use super::Builder;
 use crate::compile::Compiled;
 use crate::diagnostic::{Diagnostic, Report};
+use crate::engine::builder_messages::{BuilderEvent, Version};
 use crate::engine::events::Change;
-use crate::engine::orders::{Built, Version};
 use crate::gpu::Pipeline;
 use crate::sketch::Sketch;
 use crate::wgsl::Mode;
 
 /// The next pipeline of a structural edit.
-pub enum Owed {
+pub enum NextStage {
     /// The baked one of a version that is shown as a sketch; and the text that it is made of.
     Baked(Arc<Compiled>, Box<Compiled>),
     Full(Arc<Compiled>),
 }
 
-impl Owed {
+impl NextStage {
     pub fn compiled(&self) -> &Arc<Compiled> {
         match self {
-            Owed::Baked(compiled, _) | Owed::Full(compiled) => compiled,
+            NextStage::Baked(compiled, _) | NextStage::Full(compiled) => compiled,
         }
     }
 }
@@ -40,17 +40,18 @@ impl Builder {
         warnings: Report,
         noticed: Instant,
         is_on_screen: bool,
-        done: &impl Fn(Built),
+        done: &impl Fn(BuilderEvent),
     ) -> Result<(), Diagnostic> {
-        let twin = if self.shows_views { compiled.in_mode(Mode::Baked) } else { compiled.plain() }?;
-        let sketch = Some(&twin).filter(|_| !is_on_screen).and_then(|twin| Sketch::new(twin).ok());
+        let baked_text = if self.shows_views { compiled.in_mode(Mode::Baked) } else { compiled.plain() }?;
+        let sketch =
+            Some(&baked_text).filter(|_| !is_on_screen).and_then(|compiled| Sketch::new(compiled).ok());
         let is_sketched = sketch.is_some();
         let started = Instant::now();
         let baked = match is_sketched {
             true => None,
-            false => Some(self.build_baked(&twin)?),
+            false => Some(self.build_baked(&baked_text)?),
         };
-        done(Built::Scene(Box::new(Version {
+        done(BuilderEvent::Scene(Box::new(Version {
             compiled: compiled.clone(),
             change: Change::Structure,
             sketch,
@@ -61,60 +62,63 @@ impl Builder {
             noticed,
         })));
         self.before = Some(compiled.clone());
-        self.owed = Some(Owed::Full(compiled.clone()));
+        self.next_stage = Some(NextStage::Full(compiled.clone()));
         if is_sketched {
-            self.owed = Some(Owed::Baked(compiled.clone(), Box::new(twin)));
+            self.next_stage = Some(NextStage::Baked(compiled.clone(), Box::new(baked_text)));
             // A driver on the processor would keep that from the sketch.
             if !self.gpu.is_software() {
-                self.pay(done);
+                self.advance(done);
             }
         }
         Ok(())
     }
 
     /// Makes the next pipeline of the last structural edit.
-    pub(super) fn pay(&mut self, done: &impl Fn(Built)) {
-        match self.owed.take() {
+    pub(super) fn advance(&mut self, done: &impl Fn(BuilderEvent)) {
+        match self.next_stage.take() {
             // Nothing can be shown of it without views.
-            Some(Owed::Baked(compiled, twin)) if self.shows_views && !twin.source.has_views() => {
-                self.owed = Some(Owed::Full(compiled));
+            Some(NextStage::Baked(compiled, baked)) if self.shows_views && !baked.source.has_views() => {
+                self.next_stage = Some(NextStage::Full(compiled));
                 self.build_full(done);
             }
-            Some(Owed::Baked(compiled, twin)) => {
+            Some(NextStage::Baked(compiled, baked)) => {
                 let started = Instant::now();
-                match self.build_baked(&twin) {
+                match self.build_baked(&baked) {
                     Ok(pipeline) => {
-                        done(Built::Baked(pipeline, started.elapsed()));
-                        self.owed = Some(Owed::Full(compiled));
+                        done(BuilderEvent::Baked(pipeline, started.elapsed()));
+                        self.next_stage = Some(NextStage::Full(compiled));
                     }
                     Err(problem) => {
                         // No later edit can go on from it.
                         self.before = None;
-                        done(Built::Refused(Report { diagnostics: vec![problem], ..Report::default() }));
+                        done(BuilderEvent::Refused(Report {
+                            diagnostics: vec![problem],
+                            ..Report::default()
+                        }));
                     }
                 }
             }
-            owed => {
-                self.owed = owed;
+            next_stage => {
+                self.next_stage = next_stage;
                 self.build_full(done);
             }
         }
     }
 
     /// Makes the full pipeline of the last structural edit, if that has none yet. Are its numbers live?
-    pub(super) fn build_full(&mut self, done: &impl Fn(Built)) -> bool {
-        let Some(owed) = self.owed.take() else { return self.before.is_some() };
-        let compiled = owed.compiled();
+    pub(super) fn build_full(&mut self, done: &impl Fn(BuilderEvent)) -> bool {
+        let Some(next_stage) = self.next_stage.take() else { return self.before.is_some() };
+        let compiled = next_stage.compiled();
         let full = Pipeline::build(&self.gpu, compiled).or_else(|_| {
             // A scene may have more numbers than the GPU takes. Then every edit is a structural one.
             self.before = None;
             self.build_baked(&compiled.in_mode(Mode::Baked)?)
         });
-        full.into_iter().for_each(|pipeline| done(Built::Full(pipeline)));
+        full.into_iter().for_each(|pipeline| done(BuilderEvent::Full(pipeline)));
         self.before.is_some()
     }
 
-    fn build_baked(&self, twin: &Compiled) -> Result<Pipeline, Diagnostic> {
-        Pipeline::build(&self.gpu, twin).map_err(|error| Diagnostic::error(error.to_string()))
+    fn build_baked(&self, baked: &Compiled) -> Result<Pipeline, Diagnostic> {
+        Pipeline::build(&self.gpu, baked).map_err(|error| Diagnostic::error(error.to_string()))
     }
 }

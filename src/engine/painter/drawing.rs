@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use super::{Painter, SAMPLES};
 use crate::compile::Compiled;
-use crate::engine::messages::{Look, Notice, Picture};
+use crate::engine::messages::{EngineEvent, Picture, ViewRequest};
 use crate::frame::{Moment, sample_offset};
 use crate::gpu::{GpuError, Region, Survey, Tracer};
 
@@ -27,7 +27,7 @@ impl Painter {
         match survey.step(&self.gpu, pipeline)? {
             Some(identity) => {
                 self.is_told = true;
-                (self.notify)(Notice::Identity(Box::new(identity)));
+                (self.notify)(EngineEvent::Identity(Box::new(identity)));
             }
             None => self.survey = Some(survey),
         }
@@ -39,7 +39,7 @@ impl Painter {
         let scene = &compiled.scene;
         let mouse = self.look.mouse.map(|x| x / self.coarseness as f32);
         let camera = self.look.camera.unwrap_or(scene.camera);
-        let Look { view, split, reach, .. } = self.look;
+        let ViewRequest { view, split, reach, .. } = self.look;
         Moment { camera, view, split, reach, time: self.time, mouse }
     }
 
@@ -53,7 +53,7 @@ impl Painter {
         tracer.draw(full, &Moment::of(&compiled.scene), &compiled.scene.render, [0.0; 2], &pixel);
         full.finish(&self.gpu)?;
         scene.is_warm = true;
-        (self.notify)(Notice::Ready { pipelines: self.gpu.pipelines_made() });
+        (self.notify)(EngineEvent::Ready { pipelines: self.gpu.pipelines_made() });
         Ok(())
     }
 
@@ -132,10 +132,10 @@ impl Painter {
         scene.is_shown = true;
         let tracer = self.tracer.as_ref().expect("it has drawn a sample");
         let version = &scene.version;
-        let texels = self.easel.show(tracer, &version.compiled, &self.look)?;
+        let texels = self.compositor.show(tracer, &version.compiled, &self.look)?;
         self.shown = Instant::now();
         self.waits_until = (!self.shares_device).then(|| Instant::now() + COURTESY);
-        (self.notify)(Notice::Picture(Picture {
+        (self.notify)(EngineEvent::Picture(Picture {
             texels,
             edit: scene.edit,
             change: version.change,

@@ -11,11 +11,11 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
+use super::builder_messages::{BuilderEvent, Version};
+use super::compositor::Compositor;
 use super::drawable::Drawable;
-use super::easel::Easel;
 use super::events::Change;
-use super::messages::{Clock, Look, Notice, Slow, Wish};
-use super::orders::{Built, Version};
+use super::messages::{Clock, EngineEvent, PainterCommand, Slow, ViewRequest};
 use crate::diagnostic::Report;
 use crate::frame::View;
 use crate::gpu::{Gpu, GpuError, Pace, Pipeline, Survey, Tracer};
@@ -33,11 +33,15 @@ const WAITING: Duration = Duration::from_millis(500);
 const SAMPLES: u32 = 64;
 
 /// Starts the thread. `shares_device`: whether textures of `gpu` can be shown by the window.
-pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'static) -> Sender<Wish> {
+pub fn start(
+    gpu: Gpu,
+    shares_device: bool,
+    notify: impl Fn(EngineEvent) + Send + 'static,
+) -> Sender<PainterCommand> {
     let (sender, receiver) = channel();
     std::thread::spawn(move || {
         let clock = Clock::Stopped(0.0);
-        let look = Look {
+        let look = ViewRequest {
             corner: [0; 2],
             size: [0; 2],
             camera: None,
@@ -50,7 +54,7 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
             asks: false,
         };
         let mut painter = Painter {
-            easel: Easel::new(&gpu, shares_device),
+            compositor: Compositor::new(&gpu, shares_device),
             gpu,
             shares_device,
             notify: Box::new(notify),
@@ -85,8 +89,8 @@ pub fn start(gpu: Gpu, shares_device: bool, notify: impl Fn(Notice) + Send + 'st
 struct Painter {
     gpu: Gpu,
     shares_device: bool,
-    easel: Easel,
-    notify: Box<dyn Fn(Notice)>,
+    compositor: Compositor,
+    notify: Box<dyn Fn(EngineEvent)>,
     /// What is drawn.
     scene: Option<Drawable>,
     /// The version before that was proven, until this one is.
@@ -96,7 +100,7 @@ struct Painter {
     refusal: Option<Report>,
     /// Whether the scene is not to be drawn until something changes.
     is_stuck: bool,
-    look: Look,
+    look: ViewRequest,
     tracer: Option<Tracer>,
     /// Screen pixels to one of the picture being drawn.
     coarseness: u32,
@@ -126,7 +130,7 @@ struct Painter {
 }
 
 impl Painter {
-    fn run(&mut self, receiver: &Receiver<Wish>) {
+    fn run(&mut self, receiver: &Receiver<PainterCommand>) {
         loop {
             if self.is_done() {
                 self.tell_slowness();
@@ -156,7 +160,7 @@ impl Painter {
             match done {
                 Ok(()) => {}
                 Err(GpuError::Endless(report)) => self.refuse(report),
-                Err(error) => return (self.notify)(Notice::Failed(error)),
+                Err(error) => return (self.notify)(EngineEvent::Failed(error)),
             }
         }
     }
@@ -205,45 +209,46 @@ impl Painter {
         is_asked && is_shown && is_time
     }
 
-    fn grant(&mut self, wish: Wish) {
-        if let Wish::Built(built) = &wish {
+    fn grant(&mut self, wish: PainterCommand) {
+        if let PainterCommand::Built(built) = &wish {
             match built {
-                Built::Begun => self.is_held = !self.shares_device,
-                Built::Scene(_) | Built::Broken(_) => self.is_held = false,
+                BuilderEvent::Begun => self.is_held = !self.shares_device,
+                BuilderEvent::Scene(_) | BuilderEvent::Broken(_) => self.is_held = false,
                 _ => {}
             }
         }
         match wish {
-            Wish::Shown => self.waits_until = None,
-            Wish::Look(look) => {
+            PainterCommand::Shown => self.waits_until = None,
+            PainterCommand::View(look) => {
                 let before = self.look;
                 let scene = self.scene.as_ref();
                 let reads_mouse = scene.is_some_and(|s| s.reads_mouse) && look.mouse != before.mouse;
                 let reads_clock = scene.is_some_and(|s| s.moves) && look.clock != before.clock;
-                let Look { corner, mouse, clock, asks, .. } = look;
-                let is_other =
-                    look != Look { corner, mouse, clock, asks, ..before } || reads_mouse || reads_clock;
+                let ViewRequest { corner, mouse, clock, asks, .. } = look;
+                let is_other = look != ViewRequest { corner, mouse, clock, asks, ..before }
+                    || reads_mouse
+                    || reads_clock;
                 self.look = look;
                 if is_other {
                     self.restart(PROMPT);
                 }
             }
-            Wish::Built(Built::Begun) => {}
-            Wish::Built(Built::File(text)) => (self.notify)(Notice::File(text)),
-            Wish::Built(Built::Outline { outline, text }) => {
-                (self.notify)(Notice::Outline { outline, text });
+            PainterCommand::Built(BuilderEvent::Begun) => {}
+            PainterCommand::Built(BuilderEvent::File(text)) => (self.notify)(EngineEvent::File(text)),
+            PainterCommand::Built(BuilderEvent::Outline { outline, text }) => {
+                (self.notify)(EngineEvent::Outline { outline, text });
             }
-            Wish::Built(Built::Broken(report)) => (self.notify)(Notice::Broken(report)),
-            Wish::Built(Built::Scene(version)) => self.take(version),
-            Wish::Built(Built::Refused(report)) => self.refuse(report),
-            Wish::Built(Built::Baked(pipeline, time)) => {
+            PainterCommand::Built(BuilderEvent::Broken(report)) => (self.notify)(EngineEvent::Broken(report)),
+            PainterCommand::Built(BuilderEvent::Scene(version)) => self.take(version),
+            PainterCommand::Built(BuilderEvent::Refused(report)) => self.refuse(report),
+            PainterCommand::Built(BuilderEvent::Baked(pipeline, time)) => {
                 let Some(scene) = self.refused.as_mut().or(self.scene.as_mut()) else { return };
                 scene.baked = Some(pipeline);
                 scene.version.pipeline_time = time;
                 self.pace.probe();
                 self.restart(if self.is_sketched { PROMPT } else { PROMPT_EDIT });
             }
-            Wish::Built(Built::Full(pipeline)) => {
+            PainterCommand::Built(BuilderEvent::Full(pipeline)) => {
                 if let Some(scene) = self.refused.as_mut().or(self.scene.as_mut()) {
                     scene.full = Some(Arc::new(pipeline));
                     scene.is_warm = false;
@@ -255,7 +260,7 @@ impl Painter {
     fn take(&mut self, version: Box<Version>) {
         if version.change == Change::Cosmetic {
             let report = self.refusal.clone().unwrap_or(version.warnings);
-            return (self.notify)(Notice::Unchanged(report));
+            return (self.notify)(EngineEvent::Unchanged(report));
         }
         self.waits_until = None;
         if version.baked.is_some() {

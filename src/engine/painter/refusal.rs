@@ -3,14 +3,14 @@
 use super::forecast::Forecast;
 use super::{PROMPT, Painter};
 use crate::diagnostic::Report;
+use crate::engine::builder_messages::Version;
 use crate::engine::drawable::Drawable;
-use crate::engine::messages::Notice;
-use crate::engine::orders::Version;
+use crate::engine::messages::EngineEvent;
 
 impl Painter {
     /// Puts a version in place of the one before, which stays at hand until this one is proven.
     pub(super) fn replace(&mut self, version: Box<Version>) {
-        (self.notify)(Notice::Tries(version.compiled.clone()));
+        (self.notify)(EngineEvent::Tries(version.compiled.clone()));
         let refused = self.refused.take();
         let scene = Drawable::new(version, refused.as_ref().or(self.scene.as_ref()));
         scene.upload(&self.gpu);
@@ -23,7 +23,7 @@ impl Painter {
 
     /// The version that is drawn goes no further.
     pub(super) fn refuse(&mut self, report: Report) {
-        (self.notify)(Notice::Broken(report.clone()));
+        (self.notify)(EngineEvent::Broken(report.clone()));
         self.refusal = Some(report);
         if let Some(former) = self.former.take() {
             former.upload(&self.gpu);
@@ -41,7 +41,7 @@ impl Painter {
         scene.is_proven = true;
         self.former = None;
         if self.refusal.take().is_some() {
-            (self.notify)(Notice::Mended(scene.version.warnings.clone()));
+            (self.notify)(EngineEvent::Mended(scene.version.warnings.clone()));
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use super::{Painter, SAMPLES};
-use crate::engine::messages::Notice;
+use crate::engine::messages::EngineEvent;
 use crate::frame::{FrameUniforms, sample_offset};
 use crate::gpu::GpuError;
 
@@ -51,7 +51,7 @@ impl Painter {
                 // Now it is known what a pixel takes.
                 Err(_) if coarseness(self.look.size, cost) > self.coarseness => {}
                 Err(_) => {
-                    (self.notify)(Notice::Unsketched(compiled));
+                    (self.notify)(EngineEvent::Unsketched(compiled));
                     return Ok(());
                 }
             }

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use super::Painter;
-use crate::engine::messages::{Notice, Slow};
+use crate::engine::messages::{EngineEvent, Slow};
 
 /// A sample that takes longer is called slow.
 const LONG: Duration = Duration::from_secs(60);
@@ -30,7 +30,7 @@ impl Painter {
         if is_other || (slow != self.slow && self.slow_told.elapsed() > PAUSE) {
             self.slow = slow;
             self.slow_told = Instant::now();
-            (self.notify)(Notice::Slow(slow));
+            (self.notify)(EngineEvent::Slow(slow));
         }
     }
 

@@ -1,7 +1,8 @@
 //! Small pictures of scenes, textures and shapes, drawn on a thread of their own while a gallery is open.
 //!
-//! In: a [`Wish`]. Out: [`News`]. The thread has a device of its own, so that neither the window nor the
-//! picture waits for it, and a scene that ends a device ends no other; it is there only while it draws.
+//! In: a [`ThumbnailCommand`]. Out: a [`ThumbnailEvent`]. The thread has a device of its own, so that neither
+//! the window nor the picture waits for it, and a scene that ends a device ends no other. The thread is there
+//! only while it draws.
 
 mod catalog;
 mod store;
@@ -27,7 +28,7 @@ const SAMPLES: u32 = 16;
 const AHEAD: usize = 40;
 
 /// What a gallery asks for.
-pub enum Wish {
+pub enum ThumbnailCommand {
     /// What there is: these scenes, with the names that people know them by, and what a scene in `folder`
     /// can name. All pictures are looked at anew.
     List { folder: PathBuf, scenes: Vec<(PathBuf, String)> },
@@ -37,7 +38,7 @@ pub enum Wish {
 }
 
 /// What a gallery is told.
-pub enum News {
+pub enum ThumbnailEvent {
     Catalog(Vec<Item>),
     /// The picture of a subject, or why there is none.
     Picture(Subject, Result<Arc<Thumbnail>, String>),
@@ -49,13 +50,13 @@ pub fn start(
     choice: AdapterChoice,
     folder: Option<PathBuf>,
     disk: Disk,
-    tell: impl Fn(News) + Send + 'static,
-) -> Sender<Wish> {
+    tell: impl Fn(ThumbnailEvent) + Send + 'static,
+) -> Sender<ThumbnailCommand> {
     let (sender, wishes) = channel();
     std::thread::spawn(move || {
         // Nobody who opens no gallery pays for it.
         let Ok(first) = wishes.recv() else { return };
-        let mut artist = Artist {
+        let mut artist = ThumbnailRenderer {
             choice,
             disk,
             wishes,
@@ -76,11 +77,11 @@ pub fn start(
     sender
 }
 
-struct Artist {
+struct ThumbnailRenderer {
     choice: AdapterChoice,
     disk: Disk,
-    wishes: Receiver<Wish>,
-    tell: Box<dyn Fn(News)>,
+    wishes: Receiver<ThumbnailCommand>,
+    tell: Box<dyn Fn(ThumbnailEvent)>,
     store: Store,
     gpu: Option<Gpu>,
     /// Where names are looked up.
@@ -96,13 +97,13 @@ struct Artist {
     missing: BTreeMap<Subject, usize>,
 }
 
-impl Artist {
+impl ThumbnailRenderer {
     fn run(&mut self) {
         loop {
             self.listen();
             if let Some(subject) = self.next().cloned() {
                 if let Some(picture) = self.picture(&subject) {
-                    (self.tell)(News::Picture(subject.clone(), picture));
+                    (self.tell)(ThumbnailEvent::Picture(subject.clone(), picture));
                     self.told.insert(subject);
                 }
                 continue;
@@ -136,15 +137,15 @@ impl Artist {
         }
     }
 
-    fn hear(&mut self, wish: Wish) {
+    fn hear(&mut self, wish: ThumbnailCommand) {
         match wish {
-            Wish::List { folder, scenes } => {
+            ThumbnailCommand::List { folder, scenes } => {
                 self.lists += 1;
-                (self.tell)(News::Catalog(catalog::catalog(&self.disk, &folder, &scenes)));
+                (self.tell)(ThumbnailEvent::Catalog(catalog::catalog(&self.disk, &folder, &scenes)));
                 self.folder = folder;
                 self.forget();
             }
-            Wish::Draw { subjects, seen, size } => {
+            ThumbnailCommand::Draw { subjects, seen, size } => {
                 if self.size != size {
                     self.forget();
                 }

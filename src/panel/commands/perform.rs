@@ -4,21 +4,21 @@ use egui::{Button, Context, KeyboardShortcut, Ui};
 
 use super::table::{COMMANDS, Command, Entry};
 use crate::edit::{Edit, NewValue};
+use crate::engine::builder_messages::BuilderCommand;
 use crate::engine::focus::Focus;
-use crate::engine::orders::Order;
 use crate::frame::View;
 use crate::outline::NodeKind;
 use crate::panel::settings::Theme;
-use crate::panel::{Deeds, Leaving, Panel, editor, style, templates};
+use crate::panel::{Actions, Leaving, Panel, editor, style, templates};
 
 /// Told before an undo that takes back what was done elsewhere.
 const OUTSIDE: &str = "the next undo takes back what your editor has saved: undo again to do so";
 
 impl Panel {
     /// Does what the keys say that were pressed.
-    pub(in crate::panel) fn keys(&mut self, ui: &Ui, deeds: &mut Deeds) {
+    pub(in crate::panel) fn keys(&mut self, ui: &Ui, actions: &mut Actions) {
         for command in self.pressed(ui) {
-            self.perform(command, ui.ctx(), deeds);
+            self.perform(command, ui.ctx(), actions);
         }
         if self.cover().is_none() && self.leaving.is_none() {
             self.digits(ui, is_typing(ui));
@@ -30,7 +30,7 @@ impl Panel {
         let covers = [
             (self.palette.is_open(), Command::Palette),
             (self.gallery.is_open(), Command::Gallery),
-            (self.shows_sheet, Command::CheatSheet),
+            (self.shows_cheat_sheet, Command::CheatSheet),
         ];
         covers.into_iter().find(|(is_open, _)| *is_open).map(|(_, command)| command)
     }
@@ -59,8 +59,8 @@ impl Panel {
         commands
     }
 
-    pub(in crate::panel) fn button(&mut self, ui: &mut Ui, command: Command, deeds: &mut Deeds) {
-        self.button_called(ui, command.entry().name, command, deeds);
+    pub(in crate::panel) fn button(&mut self, ui: &mut Ui, command: Command, actions: &mut Actions) {
+        self.button_called(ui, command.entry().name, command, actions);
     }
 
     pub(in crate::panel) fn button_called(
@@ -68,7 +68,7 @@ impl Panel {
         ui: &mut Ui,
         text: &str,
         command: Command,
-        deeds: &mut Deeds,
+        actions: &mut Actions,
     ) {
         let button = match self.is_on(command) {
             Some(is_on) => Button::selectable(is_on, text),
@@ -78,11 +78,11 @@ impl Panel {
         let help = format!("{} ({})", entry.does, keys_of(ui.ctx(), entry));
         let response = ui.add_enabled(self.can(command), button).accessible_name(entry.name);
         if response.on_hover_text(&help).on_disabled_hover_text(&help).clicked() {
-            self.perform(command, ui.ctx(), deeds);
+            self.perform(command, ui.ctx(), actions);
         }
     }
 
-    pub(in crate::panel) fn menu_item(&mut self, ui: &mut Ui, command: Command, deeds: &mut Deeds) {
+    pub(in crate::panel) fn menu_item(&mut self, ui: &mut Ui, command: Command, actions: &mut Actions) {
         let entry = command.entry();
         let button = Button::new(entry.name).shortcut_text(keys_of(ui.ctx(), entry));
         let button = match self.is_on(command) {
@@ -91,7 +91,7 @@ impl Panel {
         };
         let item = ui.add_enabled(self.can(command), button).accessible_name(entry.name);
         if item.on_hover_text(entry.does).clicked() {
-            self.perform(command, ui.ctx(), deeds);
+            self.perform(command, ui.ctx(), actions);
             ui.close();
         }
     }
@@ -123,7 +123,7 @@ impl Panel {
         }
     }
 
-    pub(in crate::panel) fn perform(&mut self, command: Command, context: &Context, deeds: &mut Deeds) {
+    pub(in crate::panel) fn perform(&mut self, command: Command, context: &Context, actions: &mut Actions) {
         let told = self.notice.take();
         match command {
             Command::Gallery => self.toggle_gallery(),
@@ -133,14 +133,14 @@ impl Panel {
             Command::Undo if self.document.undoes_outside() && told.as_deref() != Some(OUTSIDE) => {
                 self.notice = Some(OUTSIDE.into());
             }
-            Command::Undo => deeds.undo = true,
-            Command::Redo => deeds.redo = true,
+            Command::Undo => actions.undo = true,
+            Command::Redo => actions.redo = true,
             Command::OnlyTry => self.document.tries_only = !self.document.tries_only,
             Command::Home => self.camera = None,
-            Command::KeepView => self.keep_view(deeds),
+            Command::KeepView => self.keep_view(actions),
             Command::Bookmark => self.keep_next_bookmark(),
             Command::ChooseNothing => self.selected = None,
-            Command::OnlyThis => self.toggle_focus(deeds),
+            Command::OnlyThis => self.toggle_focus(actions),
             Command::Gizmos => self.gizmos = !self.gizmos,
             Command::Handles => self.settings.handles = !self.settings.handles,
             Command::NextView => self.change_view(1),
@@ -153,7 +153,7 @@ impl Panel {
             Command::StepForward => self.step(1.0),
             Command::Rewind => self.rewind(),
             Command::Palette => self.palette.toggle(),
-            Command::CheatSheet => self.shows_sheet = !self.shows_sheet,
+            Command::CheatSheet => self.shows_cheat_sheet = !self.shows_cheat_sheet,
             Command::Theme => {
                 self.settings.theme = match self.settings.theme {
                     Theme::Dark => Theme::Light,
@@ -177,22 +177,22 @@ impl Panel {
         }
     }
 
-    fn keep_view(&self, deeds: &mut Deeds) {
+    fn keep_view(&self, actions: &mut Actions) {
         let Some(camera) = self.camera else { return };
         let path = crate::scene::Path::default().field("camera");
         for (name, point) in [("eye", camera.eye), ("target", camera.target)] {
             let numbers = point.to_array().map(|x| (x * 1e3).round() / 1e3).to_vec();
-            deeds.edits.push(Edit::Set { path: path.field(name), value: NewValue::Vector(numbers) });
+            actions.edits.push(Edit::Set { path: path.field(name), value: NewValue::Vector(numbers) });
         }
     }
 
     /// Shows what is chosen alone, and then all again.
-    fn toggle_focus(&mut self, deeds: &mut Deeds) {
+    fn toggle_focus(&mut self, actions: &mut Actions) {
         self.focus = match self.focus {
             Focus::All => self.focus_of_choice().unwrap_or_default(),
             _ => Focus::All,
         };
-        deeds.orders.push(Order::Focus(self.focus.clone()));
+        actions.orders.push(BuilderCommand::Focus(self.focus.clone()));
     }
 
     fn focus_of_choice(&self) -> Option<Focus> {

@@ -2,7 +2,7 @@
 
 use egui::{Button, Frame, Label, RichText, ScrollArea, Ui};
 
-use super::{Deed, Hung};
+use super::{Action, TileImage};
 use crate::engine::thumbnails::{Definition, Item, Subject};
 use crate::library::{Function, Kind, Parameter};
 
@@ -10,23 +10,23 @@ use crate::library::{Function, Kind, Parameter};
 pub fn show(
     ui: &mut Ui,
     item: Option<&Item>,
-    hung: Option<&Hung>,
+    image_of: Option<&TileImage>,
     copied: &mut Option<String>,
-) -> Option<Deed> {
+) -> Option<Action> {
     let Some(item) = item else {
         let hint = "A click opens a scene, and tells of a texture or a shape what it takes.";
         ui.label(RichText::new(hint).weak());
         return None;
     };
     ui.label(RichText::new(&item.name).strong().size(16.0));
-    let mut deed = None;
+    let mut action = None;
     match (&item.subject, &item.definition) {
         (Subject::Scene(path), _) => {
             ui.add(Label::new(RichText::new(path.display().to_string()).weak().size(11.0)).truncate());
             ui.label(&item.caption);
             ui.add_space(6.0);
             if ui.button("Open").clicked() {
-                deed = Some(Deed::Open(path.clone()));
+                action = Some(Action::Open(path.clone()));
             }
         }
         (_, Some(definition)) => {
@@ -35,13 +35,13 @@ pub fn show(
             ui.add(Label::new(RichText::new(&origin).weak().size(11.0)).truncate()).on_hover_text(origin);
             ui.label(&function.caption);
             ui.add_space(6.0);
-            deed = buttons(ui, definition, copied);
+            action = buttons(ui, definition, copied);
             ui.add_space(6.0);
         }
         (_, None) => {}
     }
     ScrollArea::vertical().id_salt("details").auto_shrink([false, false]).show(ui, |ui| {
-        if let Some(Hung::Failure(why)) = hung {
+        if let Some(TileImage::Failure(why)) = image_of {
             ui.label(RichText::new(why).monospace().size(11.0));
         }
         if let Some(definition) = &item.definition {
@@ -53,10 +53,10 @@ pub fn show(
             definition.function.parameters.iter().for_each(|given| parameter(ui, given));
         }
     });
-    deed
+    action
 }
 
-fn buttons(ui: &mut Ui, definition: &Definition, copied: &mut Option<String>) -> Option<Deed> {
+fn buttons(ui: &mut Ui, definition: &Definition, copied: &mut Option<String>) -> Option<Action> {
     let Definition { function, call, full_call } = definition;
     let mut adds = false;
     ui.horizontal_wrapped(|ui| {
@@ -73,7 +73,7 @@ fn buttons(ui: &mut Ui, definition: &Definition, copied: &mut Option<String>) ->
             ui.label(RichText::new("copied").weak().size(11.0));
         }
     });
-    adds.then(|| Deed::Add(function.name.clone()))
+    adds.then(|| Action::Add(function.name.clone()))
 }
 
 fn kind(function: &Function) -> String {

@@ -2,9 +2,9 @@
 //!
 //! In: what a thread tells of them. Out: what to ask of that thread, and what the author has chosen.
 
+mod categories;
 mod details;
 mod query;
-mod shelves;
 mod tile;
 
 use std::collections::BTreeMap;
@@ -16,9 +16,9 @@ use egui::{Color32, Frame, Id, Modal, TextureHandle, Ui, Vec2};
 use self::query::Query;
 use super::inspector::example;
 use super::scenes::{full_name, neighbours, stem};
-use super::{Deeds, Leaving, Panel};
+use super::{Actions, Leaving, Panel};
 use crate::edit::Edit;
-use crate::engine::thumbnails::{Item, News, Subject, Thumbnail, Wish};
+use crate::engine::thumbnails::{Item, Subject, Thumbnail, ThumbnailCommand, ThumbnailEvent};
 use crate::outline::{NodeKind, Role};
 
 /// Points: how wide the sheet is at most, and what stays free around it.
@@ -31,12 +31,12 @@ pub struct Gallery {
     /// None while it is closed.
     query: Option<Query>,
     items: Vec<Item>,
-    pictures: BTreeMap<Subject, Hung>,
-    wishes: Vec<Wish>,
+    pictures: BTreeMap<Subject, TileImage>,
+    wishes: Vec<ThumbnailCommand>,
 }
 
 /// What came of a picture.
-enum Hung {
+enum TileImage {
     /// It is a texture, too, once it was looked at.
     Picture(Arc<Thumbnail>, Option<TextureHandle>),
     /// Why there is none.
@@ -44,7 +44,7 @@ enum Hung {
 }
 
 /// What the author has chosen.
-enum Deed {
+enum Action {
     Close,
     Open(PathBuf),
     /// One more object, by its shape.
@@ -66,21 +66,23 @@ impl Gallery {
 
     fn close(&mut self) {
         self.query = None;
-        self.wishes.push(Wish::Draw { subjects: vec![], seen: 0, size: [1; 2] });
+        self.wishes.push(ThumbnailCommand::Draw { subjects: vec![], seen: 0, size: [1; 2] });
     }
 }
 
 impl Panel {
     /// Takes what the thread of the thumbnails tells.
-    pub fn hang(&mut self, news: News) {
+    pub fn receive_thumbnails(&mut self, news: ThumbnailEvent) {
         let Gallery { items, pictures, .. } = &mut self.gallery;
         match news {
-            News::Catalog(catalog) => *items = catalog,
-            News::Picture(subject, Err(mistakes)) => drop(pictures.insert(subject, Hung::Failure(mistakes))),
-            News::Picture(subject, Ok(image)) => {
+            ThumbnailEvent::Catalog(catalog) => *items = catalog,
+            ThumbnailEvent::Picture(subject, Err(mistakes)) => {
+                drop(pictures.insert(subject, TileImage::Failure(mistakes)))
+            }
+            ThumbnailEvent::Picture(subject, Ok(image)) => {
                 let known = pictures.get(&subject);
-                if !matches!(known, Some(Hung::Picture(known, _)) if Arc::ptr_eq(known, &image)) {
-                    pictures.insert(subject, Hung::Picture(image, None));
+                if !matches!(known, Some(TileImage::Picture(known, _)) if Arc::ptr_eq(known, &image)) {
+                    pictures.insert(subject, TileImage::Picture(image, None));
                 }
             }
         }
@@ -95,7 +97,7 @@ impl Panel {
     }
 
     /// Shows it, if it is open; what to ask of the thread of the thumbnails.
-    pub(super) fn gallery(&mut self, ui: &Ui, deeds: &mut Deeds) -> Vec<Wish> {
+    pub(super) fn gallery(&mut self, ui: &Ui, actions: &mut Actions) -> Vec<ThumbnailCommand> {
         if let Some(mut query) = self.gallery.query.take() {
             if query.is_new() {
                 let list = self.all_that_is_there();
@@ -118,8 +120,8 @@ impl Panel {
                 self.gallery.close();
             }
             match shown.inner {
-                Some(Deed::Open(scene)) if scene != self.scene => self.leave(Leaving::Open(scene)),
-                Some(Deed::Add(shape)) => self.add_object(&shape, deeds),
+                Some(Action::Open(scene)) if scene != self.scene => self.leave(Leaving::Open(scene)),
+                Some(Action::Add(shape)) => self.add_object(&shape, actions),
                 _ => {}
             }
         }
@@ -127,14 +129,14 @@ impl Panel {
     }
 
     /// Asks for the scenes that the menu has, too, and for all that this scene could name.
-    fn all_that_is_there(&self) -> Wish {
+    fn all_that_is_there(&self) -> ThumbnailCommand {
         let here = self.scenes.iter().map(|path| (path.clone(), stem(path)));
         let elsewhere = self.recent.iter().map(|path| (path.clone(), full_name(path)));
         let folder = self.scene.parent().unwrap_or(Path::new("")).to_owned();
-        Wish::List { folder, scenes: here.chain(elsewhere).collect() }
+        ThumbnailCommand::List { folder, scenes: here.chain(elsewhere).collect() }
     }
 
-    fn add_object(&mut self, shape: &str, deeds: &mut Deeds) {
+    fn add_object(&mut self, shape: &str, actions: &mut Actions) {
         let item = match example(&self.disk, &self.scene, Role::Solid, shape) {
             Ok(item) => item,
             Err(why) => {
@@ -145,6 +147,6 @@ impl Panel {
         let Some((outline, _)) = &self.outline else { return };
         let Some(objects) = outline.nodes.iter().find(|node| node.kind == NodeKind::Objects) else { return };
         let (list, index) = (objects.path.clone(), objects.nodes.len());
-        deeds.edits.push(Edit::Insert { list, index, item });
+        actions.edits.push(Edit::Insert { list, index, item });
     }
 }

@@ -7,9 +7,9 @@ use egui::{
     Ui, UiBuilder,
 };
 
-use super::shelves::{SHELVES, Shelf, on_shelves, stepped};
-use super::{Deed, Hung, details, tile};
-use crate::engine::thumbnails::{Item, Subject, Wish};
+use super::categories::{CATEGORIES, Category, by_category, stepped};
+use super::{Action, TileImage, details, tile};
+use crate::engine::thumbnails::{Item, Subject, ThumbnailCommand};
 
 /// Points: between tiles, the field for words, and what is known of a tile.
 const GAP: f32 = 10.0;
@@ -21,7 +21,7 @@ const DETAILS: std::ops::RangeInclusive<f32> = 180.0..=300.0;
 pub struct Query {
     text: String,
     /// None for all.
-    shelf: Option<Shelf>,
+    category: Option<Category>,
     marked: Option<Subject>,
     /// The text that was copied last.
     copied: Option<String>,
@@ -45,28 +45,28 @@ impl Query {
     }
 
     /// The pictures to ask for, if they are others than before.
-    pub fn wish(&mut self) -> Option<Wish> {
+    pub fn wish(&mut self) -> Option<ThumbnailCommand> {
         let (subjects, seen, size) = self.wanted.clone();
         let is_new = self.wanted != self.wished;
         self.wished.clone_from(&self.wanted);
-        is_new.then_some(Wish::Draw { subjects, seen, size })
+        is_new.then_some(ThumbnailCommand::Draw { subjects, seen, size })
     }
 
     pub fn show(
         &mut self,
         ui: &mut Ui,
         items: &[Item],
-        pictures: &mut BTreeMap<Subject, Hung>,
-    ) -> Option<Deed> {
+        pictures: &mut BTreeMap<Subject, TileImage>,
+    ) -> Option<Action> {
         let step = self.step(ui);
-        let mut deed = None;
+        let mut action = None;
         let field = ui.horizontal(|ui| {
             let field = self.head(ui);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let cross = Button::new(RichText::new("×").size(18.0)).frame(false);
                 let cross = ui.add(cross).on_hover_text("close (Escape)");
                 if cross.accessible_name("close the gallery").clicked() {
-                    deed = Some(Deed::Close);
+                    action = Some(Action::Close);
                 }
             });
             field
@@ -79,27 +79,27 @@ impl Query {
         let room = ui.available_rect_before_wrap();
         let wide = (0.28 * room.width()).clamp(*DETAILS.start(), *DETAILS.end());
         let (left, right) = room.split_left_right_at_x(room.right() - wide);
-        let shelves = on_shelves(items, self.shelf, &self.text);
+        let categories = by_category(items, self.category, &self.text);
         let runs = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         if runs && self.marked.is_none() {
-            self.marked = shelves.iter().flat_map(|(_, of)| of).next().map(|item| item.subject.clone());
+            self.marked = categories.iter().flat_map(|(_, of)| of).next().map(|item| item.subject.clone());
         }
         let grid = left.with_max_x(left.right() - GAP);
-        let chosen = self.grid(&mut within(ui, grid), &shelves, pictures, step);
+        let chosen = self.grid(&mut within(ui, grid), &categories, pictures, step);
         let chosen = chosen.or_else(|| self.marked.clone().filter(|_| runs));
         match chosen {
-            Some(Subject::Scene(path)) => deed = Some(Deed::Open(path)),
+            Some(Subject::Scene(path)) => action = Some(Action::Open(path)),
             Some(subject) => self.marked = Some(subject),
             None => {}
         }
         self.look_further(ui, items);
         let marked = items.iter().find(|item| Some(&item.subject) == self.marked.as_ref());
-        let hung = marked.and_then(|item| pictures.get(&item.subject));
-        let told = details::show(&mut within(ui, right), marked, hung, &mut self.copied);
-        deed.or(told)
+        let image_of = marked.and_then(|item| pictures.get(&item.subject));
+        let told = details::show(&mut within(ui, right), marked, image_of, &mut self.copied);
+        action.or(told)
     }
 
-    /// Title, search and shelves; the field in which words are typed.
+    /// Title, search and categories; the field in which words are typed.
     fn head(&mut self, ui: &mut Ui) -> Response {
         ui.label(RichText::new("Gallery").strong().size(16.0));
         ui.add_space(6.0);
@@ -116,10 +116,10 @@ impl Query {
         let field = ui.add(field.frame(frame).desired_width(width).id(id));
         let field = field.accessible_name("find in the gallery");
         ui.add_space(6.0);
-        ui.selectable_value(&mut self.shelf, None, "All");
-        for (shelf, title) in SHELVES {
+        ui.selectable_value(&mut self.category, None, "All");
+        for (category, title) in CATEGORIES {
             let name = title.split(' ').next().unwrap_or(title);
-            ui.selectable_value(&mut self.shelf, Some(shelf), name);
+            ui.selectable_value(&mut self.category, Some(category), name);
         }
         field
     }
@@ -136,17 +136,17 @@ impl Query {
         (across != 0 || down != 0).then_some([across, down])
     }
 
-    /// Lays out the tiles, shelf by shelf; which was clicked.
+    /// Lays out the tiles, category by category; which was clicked.
     fn grid(
         &mut self,
         ui: &mut Ui,
-        shelves: &[(&str, Vec<&Item>)],
-        pictures: &mut BTreeMap<Subject, Hung>,
+        categories: &[(&str, Vec<&Item>)],
+        pictures: &mut BTreeMap<Subject, TileImage>,
         step: Option<[isize; 2]>,
     ) -> Option<Subject> {
         let mut clicked = None;
         let mut seen = vec![];
-        if shelves.is_empty() {
+        if categories.is_empty() {
             ui.label(RichText::new("Nothing is called that, and no caption says it.").weak());
         }
         // The bar that scrolls lies beside them, and makes none of them narrower.
@@ -154,20 +154,20 @@ impl Query {
         let columns = ((room + GAP) / (tile::LEAST + GAP)).floor().max(1.0);
         let width = ((room + GAP) / columns - GAP).floor();
         let rows: Vec<&[&Item]> =
-            shelves.iter().flat_map(|(_, items)| items.chunks(columns as usize)).collect();
+            categories.iter().flat_map(|(_, items)| items.chunks(columns as usize)).collect();
         if let Some(step) = step {
             self.marked = stepped(&rows, self.marked.as_ref(), step);
         }
         ScrollArea::vertical().id_salt("tiles").auto_shrink([false, false]).show(ui, |ui| {
             ui.spacing_mut().item_spacing = egui::vec2(GAP, GAP);
-            for (title, items) in shelves {
+            for (title, items) in categories {
                 ui.label(RichText::new(format!("{title}  {}", items.len())).weak());
                 for row in items.chunks(columns as usize) {
                     ui.horizontal(|ui| {
                         for item in row {
                             let is_marked = self.marked.as_ref() == Some(&item.subject);
-                            let hung = pictures.get_mut(&item.subject);
-                            let tile = tile::show(ui, item, hung, width, is_marked);
+                            let image_of = pictures.get_mut(&item.subject);
+                            let tile = tile::show(ui, item, image_of, width, is_marked);
                             if ui.is_rect_visible(tile.rect) {
                                 seen.push(item.subject.clone());
                             }

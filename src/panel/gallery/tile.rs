@@ -9,7 +9,7 @@ use egui::{
     WidgetInfo,
 };
 
-use super::Hung;
+use super::TileImage;
 use crate::engine::thumbnails::Item;
 use crate::panel::ACCENT;
 
@@ -20,7 +20,13 @@ const WORDS: f32 = 44.0;
 const INSIDE: f32 = 6.0;
 
 /// Lays out a tile that is so wide.
-pub fn show(ui: &mut Ui, item: &Item, hung: Option<&mut Hung>, width: f32, is_marked: bool) -> Response {
+pub fn show(
+    ui: &mut Ui,
+    item: &Item,
+    image_of: Option<&mut TileImage>,
+    width: f32,
+    is_marked: bool,
+) -> Response {
     let picture = Vec2::new(width, width * PICTURE.y / PICTURE.x);
     let (area, response) = ui.allocate_exact_size(picture + Vec2::new(0.0, WORDS), Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, is_marked, &item.name));
@@ -32,7 +38,7 @@ pub fn show(ui: &mut Ui, item: &Item, hung: Option<&mut Hung>, width: f32, is_ma
     let (strong, weak) = (visuals.strong_text_color(), visuals.weak_text_color());
     ui.painter().rect_filled(area, 8.0, fill);
     let place = Rect::from_min_size(area.min, picture).shrink(INSIDE);
-    let failure = show_picture(ui, item, hung, place);
+    let failure = show_picture(ui, item, image_of, place);
     let at = area.left_top() + Vec2::new(INSIDE + 2.0, picture.y - 1.0);
     let room = width - 2.0 * INSIDE - 4.0;
     let name = line(ui, &item.name, 13.0, strong, room);
@@ -56,8 +62,8 @@ pub fn show(ui: &mut Ui, item: &Item, hung: Option<&mut Hung>, width: f32, is_ma
 }
 
 /// The picture, or what stands in its place; why there is none, if it failed.
-fn show_picture(ui: &Ui, item: &Item, hung: Option<&mut Hung>, place: Rect) -> Option<String> {
-    if let Some(Hung::Picture(image, texture)) = hung {
+fn show_picture(ui: &Ui, item: &Item, image_of: Option<&mut TileImage>, place: Rect) -> Option<String> {
+    if let Some(TileImage::Picture(image, texture)) = image_of {
         let new = || {
             let size = image.size.map(|side| side as usize);
             let image = ColorImage::from_rgba_unmultiplied(size, &image.rgba);
@@ -69,8 +75,8 @@ fn show_picture(ui: &Ui, item: &Item, hung: Option<&mut Hung>, place: Rect) -> O
     }
     let visuals = ui.visuals();
     ui.painter().rect_filled(place, 5.0, visuals.extreme_bg_color);
-    match hung {
-        Some(Hung::Failure(why)) => {
+    match image_of {
+        Some(TileImage::Failure(why)) => {
             let color = visuals.error_fg_color;
             ui.painter().circle_filled(place.center(), 15.0, color.gamma_multiply(0.25));
             mark(ui, place, "!", color);

@@ -33,7 +33,7 @@ struct Held {
     /// Where it was taken, pixels of the picture.
     start: Vec2,
     /// Then, too.
-    frame: Frame,
+    frame: Viewport,
     /// Whether it was taken back, and is to do nothing until the hand lets go.
     is_over: bool,
 }
@@ -55,14 +55,14 @@ pub struct Shown {
 
 /// From points of the screen to pixels of the picture.
 #[derive(Clone, Copy)]
-pub struct Frame {
+pub struct Viewport {
     pub lens: Lens,
     pub corner: Pos2,
     /// Pixels to a point.
     pub scale: f32,
 }
 
-impl Frame {
+impl Viewport {
     pub fn pixel(&self, at: Pos2) -> Vec2 {
         let away = (at - self.corner) * self.scale;
         Vec2::new(away.x, away.y)
@@ -134,7 +134,7 @@ impl Panel {
         true
     }
 
-    fn take_one(&self, frame: &Frame, start: Vec2) -> Option<Held> {
+    fn take_one(&self, frame: &Viewport, start: Vec2) -> Option<Held> {
         let mut movables = self.movables();
         let (index, grip) = under(frame, &movables, start)?;
         let from = movables.swap_remove(index);
@@ -142,7 +142,7 @@ impl Panel {
     }
 
     /// What is to be drawn, where the pointer is at `hover`.
-    pub(in crate::panel) fn shown_handles(&self, frame: &Frame, hover: Option<Pos2>) -> Vec<Shown> {
+    pub(in crate::panel) fn shown_handles(&self, frame: &Viewport, hover: Option<Pos2>) -> Vec<Shown> {
         let movables = self.movables();
         let lit = match self.handles.held {
             Some(_) => None,
@@ -187,13 +187,13 @@ impl Panel {
     }
 
     /// The camera before the picture in `area`.
-    pub(in crate::panel) fn frame(&self, ui: &Ui, area: Rect) -> Option<Frame> {
+    pub(in crate::panel) fn frame(&self, ui: &Ui, area: Rect) -> Option<Viewport> {
         let camera = self.camera.or(self.home)?;
         let scale = ui.ctx().pixels_per_point();
         let pixels = |points: f32| (points * scale).round();
         let size = [pixels(area.width()), pixels(area.height())].map(|side| side as u32);
         let corner = pos2(pixels(area.min.x), pixels(area.min.y)) / scale;
-        (!size.contains(&0)).then(|| Frame { lens: Lens::new(&camera, size), corner, scale })
+        (!size.contains(&0)).then(|| Viewport { lens: Lens::new(&camera, size), corner, scale })
     }
 }
 
@@ -218,7 +218,7 @@ impl Held {
 }
 
 /// Which of `movables` the pointer would take, and by what.
-fn under(frame: &Frame, movables: &[Movable], pointer: Vec2) -> Option<(usize, Grip)> {
+fn under(frame: &Viewport, movables: &[Movable], pointer: Vec2) -> Option<(usize, Grip)> {
     movables.iter().enumerate().find_map(|(index, movable)| {
         let grip = match movable {
             Movable::Place(Place { at, .. }) => Grip::Of(frame.tripod(*at)?.under(pointer)?),

@@ -5,7 +5,7 @@ use egui::{
 };
 use glam::Vec2;
 
-use super::hand::{Frame, Grip, Shown};
+use super::hand::{Grip, Shown, Viewport};
 use super::{Ball, GAP, Handle, Movable, Tripod};
 use crate::panel::{ACCENT, Panel};
 
@@ -53,7 +53,7 @@ impl Panel {
     }
 }
 
-fn draw_tripod(painter: &Painter, frame: &Frame, tripod: &Tripod, shown: &Shown) {
+fn draw_tripod(painter: &Painter, frame: &Viewport, tripod: &Tripod, shown: &Shown) {
     let middle = frame.point(tripod.middle());
     let lit = shown.lit;
     if let Some(Movable::Place(from)) = &shown.from {
@@ -108,7 +108,7 @@ fn draw_arrow(painter: &Painter, from: Pos2, to: Pos2, color: Color32, is_faint:
 }
 
 /// The whole axis along which the hand moves, to the horizon.
-fn draw_axis(painter: &Painter, frame: &Frame, tripod: &Tripod, handle: Handle) {
+fn draw_axis(painter: &Painter, frame: &Viewport, tripod: &Tripod, handle: Handle) {
     let (Some(axis), Some(tip)) = (handle.axis(), tripod.tip(handle)) else { return };
     let (middle, lens) = (tripod.middle(), &tripod.lens);
     let way = FAR * (tip - middle).normalize();
@@ -121,7 +121,7 @@ fn draw_axis(painter: &Painter, frame: &Frame, tripod: &Tripod, handle: Handle) 
     painter.line_segment(ends, Stroke::new(1.0, color(handle).gamma_multiply(0.8)));
 }
 
-fn draw_ball(painter: &Painter, frame: &Frame, ball: &Ball, shown: &Shown) {
+fn draw_ball(painter: &Painter, frame: &Viewport, ball: &Ball, shown: &Shown) {
     let Movable::Direction(direction) = &shown.movable else { return };
     let unit = direction.value.normalize();
     let (middle, knob) = (frame.point(ball.middle()), frame.point(ball.knob(unit)));

@@ -10,6 +10,6 @@ mod movable;
 mod tripod;
 
 pub use ball::Ball;
-pub use hand::{Frame, Handles};
+pub use hand::{Handles, Viewport};
 pub use movable::{Direction, Known, Movable, Place, movables};
 pub use tripod::{GAP, Handle, Tripod, to_segment};

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use raytoy::diagnostic::Report;
-use raytoy::engine::{Change, Focus, Order, Picture, Texels};
+use raytoy::engine::{BuilderCommand, Change, Focus, Picture, Texels};
 use raytoy::ir::Measure;
 use raytoy::library::Library;
 use raytoy::outline::outline;
@@ -32,13 +32,16 @@ pub struct Builder {
 }
 
 impl Builder {
-    pub fn obey(&mut self, order: Order, panel: &mut Panel) {
+    pub fn obey(&mut self, order: BuilderCommand, panel: &mut Panel) {
         match order {
-            Order::Open(scene) => *self = Self { scene, ..Self::default() },
-            Order::Edited(text) => self.edited = text,
-            Order::Focus(focus) => self.focus = focus,
-            Order::Measure(name) => self.measure = name,
-            Order::Changed | Order::Shown(_) | Order::Views(_) | Order::End => {}
+            BuilderCommand::Open(scene) => *self = Self { scene, ..Self::default() },
+            BuilderCommand::Edited(text) => self.edited = text,
+            BuilderCommand::Focus(focus) => self.focus = focus,
+            BuilderCommand::Measure(name) => self.measure = name,
+            BuilderCommand::Changed
+            | BuilderCommand::Shown(_)
+            | BuilderCommand::Views(_)
+            | BuilderCommand::End => {}
         }
         self.build(panel);
     }
@@ -46,7 +49,7 @@ impl Builder {
     fn build(&mut self, panel: &mut Panel) {
         let file = fs::read_to_string(&self.scene).expect("the scene has a file");
         if self.file.as_ref() != Some(&file) {
-            if let Order::Edited(text) = panel.file_says(&file) {
+            if let BuilderCommand::Edited(text) = panel.file_says(&file) {
                 self.edited = text;
             }
             self.file = Some(file.clone());

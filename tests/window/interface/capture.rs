@@ -5,7 +5,7 @@ use std::path::Path;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use raytoy::frame::View;
-use raytoy::panel::CaptureDeed;
+use raytoy::panel::CaptureAction;
 
 use super::SCENE;
 use super::harness::Studio;
@@ -40,7 +40,9 @@ fn a_picture_is_ordered_as_it_is_seen_in_the_size_that_is_asked_for() {
     studio.fill(Role::SpinButton, "samples", "4");
     assert!(!studio.has(Role::SpinButton, "seconds"), "it is no movie");
     studio.press("Save the picture");
-    let [CaptureDeed::Take(order)] = studio.stage().captures.as_slice() else { panic!("one was asked for") };
+    let [CaptureAction::Take(order)] = studio.stage().captures.as_slice() else {
+        panic!("one was asked for")
+    };
     assert_eq!((order.path.as_path(), order.size, order.samples), (Path::new("large.exr"), [320, 16384], 4));
     assert_eq!((order.moment.view, order.moment.time), (View::Normal, 0.0));
     assert_eq!(&*order.compiled.text, SCENE);
@@ -53,7 +55,9 @@ fn a_movie_has_a_length_and_a_rate() {
     studio.fill(Role::SpinButton, "seconds", "2");
     studio.fill(Role::SpinButton, "frames a second", "24");
     studio.press("Save the movie");
-    let [CaptureDeed::Take(order)] = studio.stage().captures.as_slice() else { panic!("one was asked for") };
+    let [CaptureAction::Take(order)] = studio.stage().captures.as_slice() else {
+        panic!("one was asked for")
+    };
     assert_eq!((order.frames.numbers.clone(), order.frames.rate), (0..48, 24.0));
 }
 
@@ -64,7 +68,7 @@ fn what_takes_long_shows_how_far_it_is_and_can_be_stopped() {
     studio.settle();
     assert!(studio.has(Role::ProgressIndicator, "progress") && !studio.has(Role::Button, "Save the picture"));
     studio.press("Stop");
-    assert!(matches!(studio.stage().captures.as_slice(), [CaptureDeed::Stop]));
+    assert!(matches!(studio.stage().captures.as_slice(), [CaptureAction::Stop]));
     let dialog = &mut studio.harness.state_mut().panel.dialog;
     dialog.progress = None;
     dialog.result = Some(Err("the disk is full".into()));

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, OutputCommand};
 use egui_kittest::kittest::{NodeT, Queryable};
-use raytoy::engine::thumbnails::{News, Subject, Thumbnail};
+use raytoy::engine::thumbnails::{Subject, Thumbnail, ThumbnailEvent};
 
 use super::SCENE;
 use super::harness::Studio;
@@ -142,8 +142,8 @@ fn a_scene_with_mistakes_says_so_and_others_have_pictures() {
     let [broken, meadow] = ["broken.ron", "meadow.ron"].map(|name| subject(&studio, name));
     let picture = Arc::new(Thumbnail { size: [4, 3], rgba: [0, 255, 0, 255].repeat(12) });
     let panel = &mut studio.harness.state_mut().panel;
-    panel.hang(News::Picture(broken, Err("there is no shape `Spere`".into())));
-    panel.hang(News::Picture(meadow, Ok(picture)));
+    panel.receive_thumbnails(ThumbnailEvent::Picture(broken, Err("there is no shape `Spere`".into())));
+    panel.receive_thumbnails(ThumbnailEvent::Picture(meadow, Ok(picture)));
     studio.settle();
     let description = |studio: &Studio, name: &str| {
         let tile = studio.find(Role::ListBoxOption, name);

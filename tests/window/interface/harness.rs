@@ -7,10 +7,10 @@ use egui::accesskit::{Role, Toggled};
 use egui::{Event, Key, Modifiers, Pos2, Rect, Vec2};
 use egui_kittest::kittest::{AccessKitNode, NodeT, Queryable};
 use egui_kittest::{Harness, Node};
-use raytoy::engine::thumbnails::{News, Subject, Wish, catalog};
-use raytoy::engine::{Look, Order};
+use raytoy::engine::thumbnails::{Subject, ThumbnailCommand, ThumbnailEvent, catalog};
+use raytoy::engine::{BuilderCommand, ViewRequest};
 use raytoy::panel::Settings;
-use raytoy::panel::{CaptureDeed, Panel, apply_style};
+use raytoy::panel::{CaptureAction, Panel, apply_style};
 use raytoy::sources::Disk;
 use tempfile::TempDir;
 
@@ -31,14 +31,14 @@ pub struct Studio {
 pub struct Stage {
     pub panel: Panel,
     pub builder: Builder,
-    orders: Vec<Order>,
-    wishes: Vec<Wish>,
+    orders: Vec<BuilderCommand>,
+    wishes: Vec<ThumbnailCommand>,
     /// The pictures that the gallery has asked for, again and again, and how many of them are seen.
     pub drawn: Vec<(Vec<Subject>, usize)>,
     /// How much the gallery was told that there is.
     pub catalog: usize,
-    pub captures: Vec<CaptureDeed>,
-    pub look: Option<Look>,
+    pub captures: Vec<CaptureAction>,
+    pub look: Option<ViewRequest>,
     pub quits: bool,
 }
 
@@ -61,7 +61,7 @@ impl Studio {
         let stage = Stage {
             panel: Panel::new(&scene, "a GPU of paper".to_owned(), settings),
             builder: Builder::default(),
-            orders: vec![Order::Open(scene.clone())],
+            orders: vec![BuilderCommand::Open(scene.clone())],
             wishes: vec![],
             drawn: vec![],
             catalog: 0,
@@ -225,7 +225,7 @@ impl Studio {
     /// An editor saves the scene's file.
     pub fn save(&mut self, text: &str) {
         fs::write(&self.scene, text).expect("the folder is writable");
-        self.harness.state_mut().orders.push(Order::Changed);
+        self.harness.state_mut().orders.push(BuilderCommand::Changed);
         self.settle();
     }
 
@@ -241,7 +241,7 @@ impl Studio {
         self.harness.state()
     }
 
-    pub fn look(&self) -> Look {
+    pub fn look(&self) -> ViewRequest {
         self.stage().look.expect("a frame was laid out")
     }
 
@@ -290,12 +290,12 @@ impl Stage {
         orders.into_iter().for_each(|order| self.builder.obey(order, &mut self.panel));
         for wish in wishes {
             match wish {
-                Wish::List { folder, scenes } => {
+                ThumbnailCommand::List { folder, scenes } => {
                     let items = catalog(&Disk::new(None), &folder, &scenes);
                     self.catalog = items.len();
-                    self.panel.hang(News::Catalog(items));
+                    self.panel.receive_thumbnails(ThumbnailEvent::Catalog(items));
                 }
-                Wish::Draw { subjects, seen, .. } => self.drawn.push((subjects, seen)),
+                ThumbnailCommand::Draw { subjects, seen, .. } => self.drawn.push((subjects, seen)),
             }
         }
         is_news

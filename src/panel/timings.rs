@@ -23,11 +23,11 @@ pub fn of(picture: &Picture) -> Vec<(&'static str, String)> {
     ]
 }
 
-pub fn show(ui: &mut Ui, adapter: &str, facts: &[(&str, String)]) {
+pub fn show(ui: &mut Ui, adapter: &str, timings: &[(&str, String)]) {
     ui.label(RichText::new(adapter).weak());
     ui.add_space(6.0);
     egui::Grid::new("cost").num_columns(2).spacing([16.0, 3.0]).show(ui, |ui| {
-        for (name, value) in facts {
+        for (name, value) in timings {
             ui.label(RichText::new(*name).weak());
             ui.label(RichText::new(value).monospace());
             ui.end_row();

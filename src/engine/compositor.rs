@@ -1,18 +1,18 @@
 //! A gathered picture as the window gets it: shown as light or values, with lines over it.
 
-use super::messages::{FORMAT, Look, Texels};
+use super::messages::{FORMAT, Texels, ViewRequest};
 use crate::compile::Compiled;
 use crate::gpu::{Display, Gpu, GpuError, Light, Line, Lines, Target, Tracer, gizmo};
 
 /// What turns samples into a picture.
-pub struct Easel {
+pub struct Compositor {
     display: Display,
     lines: Lines,
     /// Whether textures of its GPU can be shown by the window.
     shares_device: bool,
 }
 
-impl Easel {
+impl Compositor {
     pub fn new(gpu: &Gpu, shares_device: bool) -> Self {
         Self { display: Display::new(gpu, FORMAT), lines: Lines::new(gpu, FORMAT), shares_device }
     }
@@ -21,7 +21,7 @@ impl Easel {
     ///
     /// # Errors
     /// Where the device stops to answer.
-    pub fn show(&self, tracer: &Tracer, compiled: &Compiled, look: &Look) -> Result<Texels, GpuError> {
+    pub fn show(&self, tracer: &Tracer, compiled: &Compiled, look: &ViewRequest) -> Result<Texels, GpuError> {
         let canvas = self.display.canvas(tracer.picture(), FORMAT);
         let target = canvas.create_view(&Default::default());
         let whole = Target { corner: [0.0; 2], zoom: 1.0 };

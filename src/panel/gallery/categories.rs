@@ -2,32 +2,37 @@
 
 use crate::engine::thumbnails::{Item, Subject};
 use crate::library::Family;
-use crate::panel::palette::strangeness;
+use crate::panel::palette::fuzzy_score;
 
 /// What stands together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shelf {
+pub enum Category {
     Scenes,
     Textures,
     Shapes,
 }
 
 /// All of them, with what people call them.
-pub const SHELVES: [(Shelf, &str); 3] =
-    [(Shelf::Scenes, "Scenes"), (Shelf::Textures, "Textures and mappings"), (Shelf::Shapes, "Shapes")];
+pub const CATEGORIES: [(Category, &str); 3] = [
+    (Category::Scenes, "Scenes"),
+    (Category::Textures, "Textures and mappings"),
+    (Category::Shapes, "Shapes"),
+];
 
-/// The title of each shelf, and those of its items that have all words of `wanted` in their name or caption,
-/// those with it in their name first. Empty shelves are left out; None stands for all.
-pub fn on_shelves<'i>(
+/// The title of each category, and those of its items that have all words of `wanted` in their name or
+/// caption, those with it in their name first. Empty categories are left out; None stands for all.
+pub fn by_category<'i>(
     items: &'i [Item],
-    wanted_shelf: Option<Shelf>,
+    wanted_category: Option<Category>,
     wanted: &str,
 ) -> Vec<(&'static str, Vec<&'i Item>)> {
-    let shelves = SHELVES.into_iter().filter(|(shelf, _)| wanted_shelf.is_none_or(|only| only == *shelf));
-    let filled = shelves.map(|(shelf, title)| {
-        let of_shelf = items.iter().filter(|item| shelf_of(item) == shelf);
-        let mut fitting: Vec<_> = of_shelf.filter_map(|item| Some((farness(item, wanted)?, item))).collect();
-        fitting.sort_by_key(|(farness, _)| *farness);
+    let categories =
+        CATEGORIES.into_iter().filter(|(category, _)| wanted_category.is_none_or(|only| only == *category));
+    let filled = categories.map(|(category, title)| {
+        let of_category = items.iter().filter(|item| category_of(item) == category);
+        let mut fitting: Vec<_> =
+            of_category.filter_map(|item| Some((match_rank(item, wanted)?, item))).collect();
+        fitting.sort_by_key(|(match_rank, _)| *match_rank);
         (title, fitting.into_iter().map(|(_, item)| item).collect::<Vec<_>>())
     });
     filled.filter(|(_, items)| !items.is_empty()).collect()
@@ -53,18 +58,18 @@ pub fn stepped(rows: &[&[&Item]], marked: Option<&Subject>, [across, down]: [isi
     found.map(|item| item.subject.clone())
 }
 
-fn shelf_of(item: &Item) -> Shelf {
+fn category_of(item: &Item) -> Category {
     match item.subject {
-        Subject::Scene(_) => Shelf::Scenes,
-        Subject::Function(Family::Texture, _) => Shelf::Textures,
-        Subject::Function(Family::Shape, _) => Shelf::Shapes,
+        Subject::Scene(_) => Category::Scenes,
+        Subject::Function(Family::Texture, _) => Category::Textures,
+        Subject::Function(Family::Shape, _) => Category::Shapes,
     }
 }
 
 /// Names before captions, and among names those with words that begin so; None where words are missing.
-fn farness(item: &Item, wanted: &str) -> Option<(bool, usize)> {
-    let in_name = strangeness(&item.name, wanted).map(|strangeness| (false, strangeness));
-    let anywhere = || strangeness(&format!("{} {}", item.name, item.caption), wanted).map(|_| (true, 0));
+fn match_rank(item: &Item, wanted: &str) -> Option<(bool, usize)> {
+    let in_name = fuzzy_score(&item.name, wanted).map(|fuzzy_score| (false, fuzzy_score));
+    let anywhere = || fuzzy_score(&format!("{} {}", item.name, item.caption), wanted).map(|_| (true, 0));
     in_name.or_else(anywhere)
 }
 
@@ -88,9 +93,9 @@ mod tests {
         ]
     }
 
-    fn names(shelf: Option<Shelf>, wanted: &str) -> Vec<String> {
+    fn names(category: Option<Category>, wanted: &str) -> Vec<String> {
         let items = items();
-        let found = on_shelves(&items, shelf, wanted);
+        let found = by_category(&items, category, wanted);
         found.iter().flat_map(|(_, items)| items.iter().map(|item| item.name.clone())).collect()
     }
 
@@ -99,7 +104,7 @@ mod tests {
         assert_eq!(names(None, ""), ["glass", "Brick", "Stone", "Wall", "Box"]);
         assert_eq!(names(None, "wall"), ["glass", "Wall", "Stone"]);
         assert_eq!(names(None, "WALL field"), ["Stone"]);
-        assert_eq!(names(Some(Shelf::Textures), "brick"), ["Brick"]);
+        assert_eq!(names(Some(Category::Textures), "brick"), ["Brick"]);
         assert!(names(None, "brick nothing").is_empty());
     }
 
@@ -107,7 +112,7 @@ mod tests {
     fn empty_shelves_have_no_title() {
         let items = items();
         let titles =
-            |wanted| on_shelves(&items, None, wanted).iter().map(|(title, _)| *title).collect::<Vec<_>>();
+            |wanted| by_category(&items, None, wanted).iter().map(|(title, _)| *title).collect::<Vec<_>>();
         assert_eq!(titles("b"), ["Scenes", "Textures and mappings", "Shapes"]);
         assert_eq!(titles("block"), ["Shapes"]);
     }

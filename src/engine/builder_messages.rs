@@ -13,7 +13,7 @@ use crate::outline::Outline;
 use crate::sketch::Sketch;
 
 /// What to build.
-pub enum Order {
+pub enum BuilderCommand {
     /// Another scene.
     Open(PathBuf),
     /// The same, whose files have changed.
@@ -34,7 +34,7 @@ pub enum Order {
 }
 
 /// What came of it.
-pub enum Built {
+pub enum BuilderEvent {
     /// Nothing yet: the files have changed, and a verdict follows.
     Begun,
     /// The scene's file holds another text than before.

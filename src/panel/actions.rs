@@ -1,19 +1,19 @@
 //! What is done to the scene while one frame is laid out.
 //!
-//! In: [`Deeds`] of the panel's parts. Out: the scene's next text, in the document and on the disk.
+//! In: [`Actions`] of the panel's parts. Out: the scene's next text, in the document and on the disk.
 
 use egui::Ui;
 
 use super::Panel;
 use crate::edit::{Edit, copy_of, found_at};
-use crate::engine::orders::Order;
+use crate::engine::builder_messages::BuilderCommand;
 use crate::scene::Path;
 
 /// What is gathered while one frame is laid out.
 #[derive(Default)]
-pub struct Deeds {
+pub struct Actions {
     pub edits: Vec<Edit>,
-    pub orders: Vec<Order>,
+    pub orders: Vec<BuilderCommand>,
     pub undo: bool,
     pub redo: bool,
     pub quits: bool,
@@ -21,17 +21,17 @@ pub struct Deeds {
 
 impl Panel {
     /// Turns what was done into the scene's next text, and this into the file's once the hand rests.
-    pub fn act(&mut self, ui: &Ui, deeds: &mut Deeds) {
+    pub fn act(&mut self, ui: &Ui, actions: &mut Actions) {
         let mut is_new = false;
-        for edit in deeds.edits.drain(..) {
+        for edit in actions.edits.drain(..) {
             is_new |= self.make(edit);
         }
         let takes_back = std::mem::take(&mut self.handles.takes_back);
         let before =
-            (takes_back || deeds.undo || deeds.redo).then(|| self.document.text().map(str::to_owned));
+            (takes_back || actions.undo || actions.redo).then(|| self.document.text().map(str::to_owned));
         if (takes_back && self.document.abandon())
-            || (deeds.undo && self.document.undo())
-            || (deeds.redo && self.document.redo())
+            || (actions.undo && self.document.undo())
+            || (actions.redo && self.document.redo())
         {
             self.pending.clear();
             is_new = true;
@@ -46,7 +46,7 @@ impl Panel {
             self.document.save();
         }
         if is_new || (saves && self.document.is_saved()) {
-            deeds.orders.push(Order::Edited(self.document.overlay()));
+            actions.orders.push(BuilderCommand::Edited(self.document.overlay()));
         }
     }
 

@@ -8,16 +8,16 @@ use crate::diagnostic::{Diagnostic, Report};
 
 /// What to know of a scene's versions where a device is lost.
 #[derive(Clone, Debug, Default)]
-pub struct Trial {
+pub struct CrashGuard {
     /// The last one of which there was a whole picture.
     good: Option<Arc<Compiled>>,
     /// One that is drawn for the first time.
     tried: Option<Arc<Compiled>>,
     /// One over which a device was lost, and what was said.
-    guilty: Option<(Arc<Compiled>, String)>,
+    suspect: Option<(Arc<Compiled>, String)>,
 }
 
-impl Trial {
+impl CrashGuard {
     /// A version is drawn for the first time.
     pub fn begin(&mut self, compiled: Arc<Compiled>) {
         self.tried = Some(compiled);
@@ -35,7 +35,7 @@ impl Trial {
     pub fn fail(&mut self, why: &str) {
         let is_good = |tried: &Arc<Compiled>| self.good.as_ref().is_some_and(|good| is_same(good, tried));
         if let Some(tried) = self.tried.take().filter(|tried| !is_good(tried)) {
-            self.guilty = Some((tried, why.to_owned()));
+            self.suspect = Some((tried, why.to_owned()));
         }
     }
 
@@ -46,7 +46,7 @@ impl Trial {
 
     /// What to say of a version that is not to be drawn again.
     pub fn verdict(&self, compiled: &Compiled) -> Option<Report> {
-        let (_, why) = self.guilty.as_ref().filter(|(guilty, _)| is_same(guilty, compiled))?;
+        let (_, why) = self.suspect.as_ref().filter(|(suspect, _)| is_same(suspect, compiled))?;
         let message = "the GPU stopped when it first drew this version of the scene";
         let problem = Diagnostic::error(message)
             .help(format!("message of the driver: {}", why.trim()))

@@ -4,8 +4,8 @@ use egui::{
     Align2, Area, Color32, ComboBox, DragValue, FontId, Id, Mesh, Order, Pos2, Rect, Shape, Stroke, Ui,
 };
 
-use super::{Deeds, Panel};
-use crate::engine::orders;
+use super::{Actions, Panel};
+use crate::engine::builder_messages;
 use crate::frame::View;
 use crate::ir::Measure;
 
@@ -15,7 +15,7 @@ const COLORS: [Color32; 3] = [Color32::from_rgb(20, 71, 184), Color32::WHITE, Co
 const SIZE: egui::Vec2 = egui::vec2(220.0, 14.0);
 
 /// The number that the author wants to see.
-pub struct Gauge {
+pub struct ValueLegend {
     name: String,
     /// Where its colors end.
     reach: f32,
@@ -23,7 +23,7 @@ pub struct Gauge {
     asked: Option<String>,
 }
 
-impl Default for Gauge {
+impl Default for ValueLegend {
     fn default() -> Self {
         Self { name: PATTERN.into(), reach: 1.0, asked: None }
     }
@@ -32,7 +32,7 @@ impl Default for Gauge {
 /// What is shown unless the author says otherwise.
 const PATTERN: &str = "pattern";
 
-impl Gauge {
+impl ValueLegend {
     pub fn reach(&self) -> f32 {
         self.reach
     }
@@ -45,13 +45,13 @@ impl Gauge {
 
 impl Panel {
     /// Asks for the number if somebody sees it, and tells over the picture at `area` what its colors mean.
-    pub(super) fn measure(&mut self, ui: &Ui, area: Rect, deeds: &mut Deeds) {
+    pub(super) fn measure(&mut self, ui: &Ui, area: Rect, actions: &mut Actions) {
         let beside = self.divider.split().map(|split| split.view);
         let is_seen = self.view == View::Value || beside == Some(View::Value);
         let wanted = is_seen.then(|| self.gauge.name.clone());
         if wanted != self.gauge.asked {
             self.gauge.asked.clone_from(&wanted);
-            deeds.orders.push(orders::Order::Measure(wanted));
+            actions.orders.push(builder_messages::BuilderCommand::Measure(wanted));
         }
         if !is_seen {
             return;
@@ -71,7 +71,7 @@ impl Panel {
     /// Which number, and how far its colors go.
     fn number_menu(&mut self, ui: &mut Ui) {
         let Some(compiled) = &self.compiled else { return };
-        let Gauge { name, reach, .. } = &mut self.gauge;
+        let ValueLegend { name, reach, .. } = &mut self.gauge;
         if Measure::named(&compiled.scene, name).is_none() {
             *name = PATTERN.into();
         }

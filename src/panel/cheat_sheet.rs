@@ -13,7 +13,7 @@ const WIDTH: f32 = 260.0;
 
 impl Panel {
     pub(super) fn sheet(&mut self, ui: &Ui) {
-        if !self.shows_sheet {
+        if !self.shows_cheat_sheet {
             return;
         }
         let id = Id::unique("sheet");
@@ -31,7 +31,7 @@ impl Panel {
                 }
             });
         });
-        self.shows_sheet = !shown.should_close();
+        self.shows_cheat_sheet = !shown.should_close();
     }
 }
 
