@@ -24,7 +24,10 @@ impl Panel {
     pub(super) fn keep_next_bookmark(&mut self) {
         match free_digit(self.settings.bookmarks(&self.scene)) {
             Some(digit) => self.keep_bookmark(digit),
-            None => self.notice = Some("all nine digits have a camera: remove one, or press Ctrl+1".into()),
+            None => {
+                self.notice =
+                    Some("all nine bookmarks are used: remove one, or replace one with Ctrl+1".into())
+            }
         }
     }
 
@@ -40,7 +43,7 @@ impl Panel {
     fn keep_bookmark(&mut self, digit: u8) {
         let Some(camera) = self.camera.or(self.home) else { return };
         self.settings.change_bookmarks(&self.scene, |kept| kept.keep(digit, &camera));
-        self.notice = Some(format!("this camera is kept: {digit} comes back to it"));
+        self.notice = Some(format!("camera saved as bookmark {digit}: press {digit} to return to it"));
     }
 
     /// All of them, each with what can be done with it.
@@ -50,7 +53,7 @@ impl Panel {
             ui.label(RichText::new("bookmarks").strong());
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let entry = Command::Bookmark.entry();
-                let button = Button::new("Keep this camera").small();
+                let button = Button::new("Save this camera").small();
                 let response = ui.add_enabled(self.can(Command::Bookmark), button);
                 if response.on_hover_text(format!("{} (B)", entry.does)).clicked() {
                     self.keep_next_bookmark();
@@ -59,7 +62,7 @@ impl Panel {
         });
         let kept: Vec<Bookmark> = self.settings.bookmarks(&self.scene).to_vec();
         if kept.is_empty() {
-            ui.label(RichText::new("Cameras that you keep are listed here.").weak().small());
+            ui.label(RichText::new("Saved cameras appear here.").weak().small());
         }
         for known in &kept {
             self.bookmark(ui, known);
@@ -80,7 +83,7 @@ impl Panel {
                 if cross.accessible_name(format!("remove bookmark {digit}")).clicked() {
                     self.settings.change_bookmarks(&self.scene, |kept| kept.remove(digit));
                 }
-                let again = format!("keep the present camera here (Ctrl+{digit})");
+                let again = format!("replace it with the current camera (Ctrl+{digit})");
                 let replace = ui.small_button("Replace").on_hover_text(again);
                 if replace.accessible_name(format!("replace bookmark {digit}")).clicked() {
                     self.keep_bookmark(digit);

@@ -86,7 +86,7 @@ impl Panel {
                 let number = DragValue::new(seconds).range(0.1..=600.0).speed(0.1);
                 ui.add(number).labelled_by(name.id);
                 ui.end_row();
-                let name = ui.label("frames a second");
+                let name = ui.label("frames per second");
                 ui.add(DragValue::new(rate).range(1.0..=120.0)).labelled_by(name.id);
                 ui.end_row();
             }

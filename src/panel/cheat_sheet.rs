@@ -49,7 +49,7 @@ fn group(ui: &mut Ui, name: &str) {
     if name == "Camera" {
         let first = KeyboardShortcut::new(Modifiers::COMMAND, DIGITS[0]);
         line(ui, "Go to a bookmark", "1 to 9");
-        line(ui, "Keep one there", &format!("{} to 9", ui.ctx().format_shortcut(&first)));
+        line(ui, "Save a bookmark", &format!("{} to 9", ui.ctx().format_shortcut(&first)));
     }
     ui.add_space(12.0);
 }

@@ -91,7 +91,7 @@ impl Document {
             Some(history) => match history.outside(text) {
                 Ok(conflicts) => self.conflicts.extend(conflicts),
                 // The mistakes of the file are shown with the next verdict.
-                Err(_) => self.failure = Some("the file has mistakes: mend it to go on here".into()),
+                Err(_) => self.failure = Some("the file has mistakes: correct them to continue here".into()),
             },
         }
     }

@@ -177,7 +177,7 @@ impl Fields<'_> {
     fn list(&mut self, ui: &mut Ui, field: &Field, items: &[Vec<Field>], example: &str) {
         ui.horizontal(|ui| {
             ui.label(&field.label).on_hover_text(help(field));
-            let plus = ui.small_button("+").on_hover_text("one more");
+            let plus = ui.small_button("+").on_hover_text("add one");
             if plus.accessible_name(format!("add to {}", field.label)).clicked() {
                 let (list, item) = (field.path.clone(), example.to_owned());
                 self.edits.push(Edit::Insert { list, index: items.len(), item });
@@ -228,7 +228,7 @@ fn help(field: &Field) -> String {
         Control::Number { range: Some((low, high)), .. } => format!("\n{low} to {high}{unit}"),
         _ => String::new(),
     };
-    let absent = if field.span.is_none() { "\nnot written: the default" } else { "" };
+    let absent = if field.span.is_none() { "\ndefault value, not written in the file" } else { "" };
     format!("{}{range}{absent}", field.doc)
 }
 

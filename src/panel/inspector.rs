@@ -51,7 +51,7 @@ impl Panel {
             |ui| match chosen {
                 Some(node) => self.node(ui, node, actions, &example),
                 None => {
-                    ui.label(RichText::new("Choose something in the tree to see its values.").weak());
+                    ui.label(RichText::new("Choose a line of the tree to see its values.").weak());
                 }
             },
         );
@@ -118,14 +118,14 @@ impl Panel {
         let mut choice = None;
         for (i, conflict) in self.document.conflicts.iter().enumerate() {
             egui::Frame::group(ui.style()).show(ui, |ui| {
-                ui.label(RichText::new("The file was changed at the same place").strong());
+                ui.label(RichText::new("The file has changed in the same place").strong());
                 let theirs = conflict.theirs.as_deref().unwrap_or("nothing");
-                ui.label(format!("it says {theirs}"));
+                ui.label(format!("the file has {theirs}"));
                 ui.horizontal(|ui| {
-                    if ui.button("Keep the file's").clicked() {
+                    if ui.button("Use the file's value").clicked() {
                         choice = Some((i, false));
                     }
-                    let mine = egui::Button::new("Take mine");
+                    let mine = egui::Button::new("Use my value");
                     if ui.add_enabled(conflict.again.is_some(), mine).clicked() {
                         choice = Some((i, true));
                     }

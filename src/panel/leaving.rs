@@ -21,7 +21,7 @@ enum Answer {
     Stay,
 }
 
-const QUESTION: &str = "Write your changes?";
+const QUESTION: &str = "Save your changes?";
 /// Points.
 const WIDTH: f32 = 380.0;
 
@@ -62,7 +62,7 @@ impl Panel {
             Leaving::Open(scene) => actions.orders.push(self.open(&scene)),
             Leaving::NewScene => match templates::new_scene(&self.scene) {
                 Ok(scene) => actions.orders.push(self.open(&scene)),
-                Err(error) => self.notice = Some(format!("no scene can be written here: {error}")),
+                Err(error) => self.notice = Some(format!("the new scene cannot be written: {error}")),
             },
             Leaving::Quit => actions.quits = true,
         }
@@ -83,12 +83,12 @@ impl Panel {
     fn question(&self, ui: &mut Ui) -> Option<Answer> {
         let file = self.scene.file_name().unwrap_or_default().to_string_lossy();
         let why = match self.document.tries_only {
-            true => "were only tried, and its file does not have them",
-            false => "are not in its file yet",
+            true => "were only tried and are not saved",
+            false => "are not saved yet",
         };
         ui.label(RichText::new(QUESTION).strong().size(15.0));
         ui.add_space(4.0);
-        ui.label(format!("Those in {file} {why}."));
+        ui.label(format!("The changes to {file} {why}."));
         if let Some(failure) = &self.document.failure {
             ui.colored_label(ui.visuals().error_fg_color, failure);
         }
@@ -96,10 +96,10 @@ impl Panel {
         let mut answer =
             ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Enter)).then_some(Answer::Write);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let write = RichText::new("Write them").color(Color32::WHITE);
+            let write = RichText::new("Save").color(Color32::WHITE);
             let buttons = [
                 (Button::new(write).fill(ACCENT), "Enter", Answer::Write),
-                (Button::new("Drop them"), "the file stays as it is", Answer::Drop),
+                (Button::new("Discard"), "the file does not change", Answer::Drop),
                 (Button::new("Stay"), "Escape", Answer::Stay),
             ];
             for (button, help, what) in buttons {

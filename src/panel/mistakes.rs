@@ -30,7 +30,7 @@ impl Told {
     /// Shows it over the lower part of `area`; the number of the mistake whose place the author wants to see.
     fn show(&self, ui: &Ui, area: egui::Rect, has_picture: bool) -> Option<usize> {
         let (color, heading) = match (self.report.has_errors(), has_picture) {
-            (true, true) => (ERROR, "The scene has mistakes. This is its last good picture."),
+            (true, true) => (ERROR, "The scene has mistakes. The picture is from its last correct version."),
             (true, false) => (ERROR, "The scene has mistakes."),
             (false, _) => (WARNING, "The scene has warnings."),
         };

@@ -269,7 +269,8 @@ impl Panel {
             ui.set_max_width(ui.available_width());
             ui.add_space(4.0);
             ui.horizontal(|ui| {
-                for (tab, name) in [(Tab::Scene, "Scene"), (Tab::Shader, "Shader"), (Tab::Timings, "Cost")] {
+                for (tab, name) in [(Tab::Scene, "Scene"), (Tab::Shader, "Shader"), (Tab::Timings, "Timings")]
+                {
                     ui.selectable_value(&mut self.tab, tab, name);
                 }
             });

@@ -130,7 +130,7 @@ impl Query {
         self.marked = (self.marked + down).min(lines.len().saturating_sub(1)).saturating_sub(up);
         let mut chosen = lines.get(self.marked).filter(|_| runs).map(|line| line.item.clone());
         if lines.is_empty() {
-            ui.label(RichText::new("Nothing is called that.").weak());
+            ui.label(RichText::new("Nothing matches.").weak());
         }
         ui.spacing_mut().item_spacing.y = 1.0;
         ScrollArea::vertical().max_height(12.0 * LINE).auto_shrink([false, true]).show(ui, |ui| {

@@ -37,7 +37,7 @@ impl Panel {
                 }
                 if !self.recent.is_empty() {
                     ui.separator();
-                    ui.label(RichText::new("opened before").weak().small());
+                    ui.label(RichText::new("recent scenes").weak().small());
                 }
                 for scene in &self.recent {
                     offer(ui, scene, full_name(scene));

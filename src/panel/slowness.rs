@@ -9,9 +9,9 @@ use super::style::PALE;
 use crate::engine::messages::Slow;
 
 const WIDTH: f32 = 310.0;
-const HELP: &str = "It is drawn piece by piece, and you can go on working. The view `cost` shows where the \
-                    time goes: fewer shadow_samples, max_bounces or objects, bounds around them, or a \
-                    smaller window take less.";
+const HELP: &str = "You can continue to work. The view `cost` shows which pixels are slow. These make it \
+                    faster: fewer shadow_samples, max_bounces or objects, bounds around objects, or a \
+                    smaller window.";
 
 /// Shows it in the upper right corner of `area`, in which a picture of `size` pixels is drawn.
 pub fn show(ui: &Ui, area: Rect, size: [u32; 2], slow: &Slow) {
@@ -30,11 +30,11 @@ pub fn show(ui: &Ui, area: Rect, size: [u32; 2], slow: &Slow) {
                 let time = words(slow.sample);
                 let [x, y] = size;
                 let told = match slow.resolution < 1.0 {
-                    true => format!(
-                        "One sample of {x}x{y} takes about {time} here. A coarse picture comes first:"
-                    ),
+                    true => {
+                        format!("One sample of {x}x{y} takes about {time}. A coarse picture comes first:")
+                    }
                     false => {
-                        format!("One sample of {x}x{y} takes about {time} here. So much of it is there:")
+                        format!("One sample of {x}x{y} takes about {time}. Progress:")
                     }
                 };
                 ui.label(RichText::new(told).color(PALE));

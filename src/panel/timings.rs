@@ -1,4 +1,4 @@
-//! What a picture costs.
+//! How long a picture takes: the tab `Timings`.
 
 use egui::{RichText, Ui};
 
@@ -11,7 +11,7 @@ pub fn of(picture: &Picture) -> Vec<(&'static str, String)> {
     let per_second = 1.0 / picture.frame_time.as_secs_f64().max(1e-6);
     vec![
         ("frame", ms(picture.frame_time)),
-        ("rate", format!("{per_second:.0} a second")),
+        ("rate", format!("{per_second:.0} per second")),
         ("samples", format!("{}", picture.samples)),
         ("parse", ms(times.parse)),
         ("resolve", ms(times.resolve)),
@@ -26,7 +26,7 @@ pub fn of(picture: &Picture) -> Vec<(&'static str, String)> {
 pub fn show(ui: &mut Ui, adapter: &str, timings: &[(&str, String)]) {
     ui.label(RichText::new(adapter).weak());
     ui.add_space(6.0);
-    egui::Grid::new("cost").num_columns(2).spacing([16.0, 3.0]).show(ui, |ui| {
+    egui::Grid::new("timings").num_columns(2).spacing([16.0, 3.0]).show(ui, |ui| {
         for (name, value) in timings {
             ui.label(RichText::new(*name).weak());
             ui.label(RichText::new(value).monospace());

@@ -146,8 +146,8 @@ impl Tree<'_> {
         let paths: Vec<String> = uses.iter().map(|field| field.path.to_string()).collect();
         let remove = ui.button(match paths.len() {
             0 => "Remove".to_owned(),
-            1 => "Remove, and write it out where it is used".to_owned(),
-            count => format!("Remove, and write it out in {count} places"),
+            1 => "Remove, and write its value where it is used".to_owned(),
+            count => format!("Remove, and write its value in {count} places"),
         });
         let remove = if paths.is_empty() { remove } else { remove.on_hover_text(paths.join("\n")) };
         if remove.clicked() {
@@ -189,7 +189,7 @@ impl Tree<'_> {
                 }
             });
         });
-        menu.response.on_hover_text("one more").accessible_name(format!("add to {}", node.label));
+        menu.response.on_hover_text("add one").accessible_name(format!("add to {}", node.label));
     }
 }
 

@@ -85,7 +85,7 @@ impl Panel {
         shown.response.accessible_name("number to show");
         let speed = 0.02 * *reach;
         let number = DragValue::new(reach).range(1e-4..=1e5).speed(speed).max_decimals(4).prefix("to ");
-        let help = "the number at which the colors end";
+        let help = "the largest number that has a color";
         ui.add(number).on_hover_text(help).accessible_name(help);
     }
 }

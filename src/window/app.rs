@@ -24,8 +24,8 @@ use crate::panel::{Memory, Panel, Theme};
 /// Opens the window and returns when it is closed.
 pub fn run(options: Options, on_event: &dyn Fn(&Event)) -> Result<(), String> {
     let events = EventLoop::<(u32, EngineEvent)>::with_user_event().build().map_err(|error| {
-        let instead = "without a display, draw to a file: raytoy render SCENE -o out.png";
-        format!("no window can be opened: {error}\n{instead}")
+        let instead = "to draw to a file without a display: raytoy render SCENE -o out.png";
+        format!("the window cannot be opened: {error}\n{instead}")
     })?;
     let proxy = events.create_proxy();
     backend::listen(&options, proxy.clone());
@@ -110,7 +110,7 @@ impl App<'_> {
                 let begun = (panel.scene(), crash_guard.clone(), panel.settings.theme);
                 self.backend(&window, event_loop, number, begun)
             }
-            false => Err(format!("the GPU is lost again and again: {why}")),
+            false => Err(format!("the GPU fails repeatedly: {why}")),
         };
         match started {
             Ok(mut backend) => {

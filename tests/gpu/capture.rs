@@ -318,11 +318,11 @@ mod movies {
         ffmpeg(&folder, "touch started");
         assert_eq!(
             told(&["-o", "a.mp4", "--size", "15x10"]),
-            "raytoy: width and height of an .mp4 movie are even: 16x10 instead of 15x10\n"
+            "raytoy: width and height of an .mp4 movie must be even: 16x10 instead of 15x10\n"
         );
         assert_eq!(
             told(&["-o", "a.gif", "--fps", "60"]),
-            "raytoy: a .gif movie has at most 50 frames a second, not 60\n"
+            "raytoy: a .gif movie has at most 50 frames per second, not 60\n"
         );
         assert_eq!(
             told(&["-o", "no/a.gif"]),

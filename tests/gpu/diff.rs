@@ -54,7 +54,7 @@ fn pictures_are_judged_and_shown_on_a_page() {
     // What is hidden changes values alone.
     folder
         .write("hidden.ron", &scene.replace("Plane(", "Sphere(name: \"under\", center: (0, -9, 0)), Plane("));
-    assert!(stdout(&diff(&["old.ron", "hidden.ron"])).ends_with("\npicture  the same\n"));
+    assert!(stdout(&diff(&["old.ron", "hidden.ron"])).ends_with("\npicture  equal\n"));
 }
 
 #[test]

@@ -131,7 +131,7 @@ fn an_adapter_that_is_not_there_is_refused_by_naming_those_that_are() {
     let refused = raytoy(&["render", "scenes/table.ron", "-o", "a.png", "--adapter", "nope"]);
     let told = stderr(&refused);
     assert_eq!(refused.status.code(), Some(2), "{told}");
-    assert!(told.starts_with("raytoy: no adapter has `nope` in its name; there are\n"), "{told}");
+    assert!(told.starts_with("raytoy: no GPU has `nope` in its name; the GPUs are\n"), "{told}");
     let name = gpu.describe();
     assert!(told.contains(name.split(" (").next().unwrap_or(&name)), "{told} lacks {name}");
 }

@@ -345,7 +345,7 @@ fn the_outline_of_a_scene_reads_so() {
         doc("camera.fov_deg"),
         ("the vertical angle of view".into(), Some("degrees"), false, false, 0)
     );
-    assert_eq!(doc("lights[0].position"), ("where it is".into(), None, true, false, 0));
+    assert_eq!(doc("lights[0].position"), ("position of the light".into(), None, true, false, 0));
     assert_eq!(doc("textures[\"tiles\"].scale"), ("squares per scene unit".into(), None, false, true, 1),);
 }
 

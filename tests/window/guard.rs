@@ -51,7 +51,7 @@ fn expect_told(desk: &mut Desk) {
     let broken = desk.wait_for_event("broken");
     assert_eq!(broken["errors"], 1);
     let told = broken["text"].as_str().unwrap_or_default();
-    assert!(told.contains("goes on for too long") && told.contains("textures/loops.wgsl:6:5"), "{told}");
+    assert!(told.contains("ran too long") && told.contains("textures/loops.wgsl:6:5"), "{told}");
 }
 
 /// Waits until the last sample of a picture is on the screen.
@@ -116,7 +116,7 @@ fn a_version_that_the_device_is_lost_over_is_not_drawn_again() {
     desk.wait_for_event("restarted");
     let broken = desk.wait_for_event("broken");
     let told = broken["text"].as_str().unwrap_or_default();
-    assert!(told.contains("the GPU was lost when it drew this version"), "{told}");
+    assert!(told.contains("the GPU stopped when it first drew this version"), "{told}");
     wait_for_last(&mut desk);
     assert_eq!(desk.color_at(AT[0], AT[1]), level(0.2), "the last good scene is there again");
     folder.write("textures/loops.wgsl", &loops(0.6, "false", "3"));

@@ -6,32 +6,36 @@ use super::{
 use crate::ir::{CsgOperation, MAX_BOUNCES};
 
 pub const SCENE: &[Field] = &[
-    field("camera", Takes::Group(CAMERA), "where the picture is taken from"),
-    texture_or_color("background", 0.0, "what a ray sees that leaves the scene"),
-    color("ambient", 0.1, "light from everywhere, the same at all points"),
+    field("camera", Takes::Group(CAMERA), "position and direction of the camera"),
+    texture_or_color("background", 0.0, "color of rays that leave the scene"),
+    color("ambient", 0.1, "light from all directions, equal at all points"),
     field("lights", Takes::Lights, ""),
     field("textures", Takes::Textures, "names for textures, colors, and other names"),
     field("materials", Takes::Materials, "names for materials"),
     field("objects", Takes::Solids, "").required(),
-    field("render", Takes::Group(RENDER), "how the picture is made"),
+    field("render", Takes::Group(RENDER), "settings of the picture"),
 ];
 
 pub const CAMERA: &[Field] = &[
-    vector("eye", Some([6.0, 4.0, 9.0]), "where the camera stands"),
-    vector("target", Some([0.0, 1.0, 0.0]), "what is in the middle of the picture"),
-    vector("up", Some([0.0, 1.0, 0.0]), "not along the view"),
+    vector("eye", Some([6.0, 4.0, 9.0]), "position of the camera"),
+    vector("target", Some([0.0, 1.0, 0.0]), "point in the middle of the picture"),
+    vector(
+        "up",
+        Some([0.0, 1.0, 0.0]),
+        "direction that is up in the picture; must not be parallel to the view",
+    ),
     number("fov_deg", 40.0, 0.1, 179.0, "the vertical angle of view").unit("degrees"),
 ];
 
 pub const RENDER: &[Field] = &[
     number("max_bounces", 5.0, 0.0, MAX_BOUNCES as f32, "reflections and refractions in a row").whole(),
-    flag("shadows", true, "whether lights cast shadows"),
+    flag("shadows", true, "`true`: lights cast shadows"),
     number("shadow_samples", 16.0, 1.0, 1024.0, "rays to each light that has a size, for each sample")
         .whole(),
-    flag("texture_filter", true, "patterns that can blur themselves over a pixel do"),
+    flag("texture_filter", true, "`true`: patterns blur details smaller than a pixel"),
     field("transfer", Takes::Choice(TRANSFERS), "the curve from light to the values of the picture"),
-    number("exposure", 0.0, -40.0, 40.0, "how much brighter or darker").unit("stops"),
-    field("tone_map", Takes::Choice(TONE_MAPS), "how light that is too bright is shown; `None` clamps it"),
+    number("exposure", 0.0, -40.0, 40.0, "makes the picture brighter or darker").unit("stops"),
+    field("tone_map", Takes::Choice(TONE_MAPS), "shows light brighter than white; `None` clamps it"),
 ];
 
 const TRANSFERS: &[Choice] =
@@ -52,26 +56,20 @@ pub const LIGHTS: &[Group] = &[
     Group {
         name: "Directional",
         fields: &[
-            vector("direction", None, "the way the light travels"),
-            number(
-                "angle_deg",
-                0.0,
-                0.0,
-                170.0,
-                "the full angle under which the light is seen: softens shadows",
-            )
-            .unit("degrees"),
+            vector("direction", None, "direction in which the light travels"),
+            number("angle_deg", 0.0, 0.0, 170.0, "the full angle of the light in the sky: softens shadows")
+                .unit("degrees"),
         ],
         example: "Directional(direction: (-1, -2, -1))",
-        doc: "light from afar, in one direction",
+        doc: "light in one direction, as from the sun",
     },
     Group {
         name: "Spot",
         fields: &[
             POSITION,
-            vector("target", Some([0.0; 3]), "what it points at"),
+            vector("target", Some([0.0; 3]), "point in the middle of the cone"),
             number("cone_deg", 30.0, 0.01, 179.0, "the full angle of the cone").unit("degrees"),
-            number("blend", 0.1, 0.0, 1.0, "the share of the cone, from the rim, in which the light fades"),
+            number("blend", 0.1, 0.0, 1.0, "outer share of the cone in which the light fades"),
             LIGHT_RADIUS,
             FALLOFF,
         ],
@@ -87,38 +85,38 @@ pub const LIGHTS: &[Group] = &[
             FALLOFF,
         ],
         example: "Rect(corner: (-1, 5, -1), u: (2, 0, 0), v: (0, 0, 2))",
-        doc: "light from the middle of a parallelogram, with its soft shadows",
+        doc: "light of a parallelogram, with soft shadows",
     },
 ];
 
-const POSITION: Field = vector("position", None, "where it is").point();
+const POSITION: Field = vector("position", None, "position of the light").point();
 const LIGHT_RADIUS: Field = number("radius", 0.0, 0.0, 1e6, "softens shadows");
 const FALLOFF: Field = field(
     "falloff",
     Takes::Choice(&[word("None"), word("InverseSquare")]),
-    "`InverseSquare`: weaker by the square of the distance, the same at 1 scene unit",
+    "`InverseSquare`: weaker with the square of the distance, unchanged at 1 scene unit",
 );
 
 /// What every object and part takes.
 pub const EVERY_SOLID: &[Field] = &[
-    field("name", Takes::Name, "no two objects share one"),
-    field("material", Takes::Material, "what the surface looks like"),
-    vector("translate", Some([0.0; 3]), "where it is moved to, last"),
+    field("name", Takes::Name, "name of the object; no two objects have the same name"),
+    field("material", Takes::Material, "material of the surface"),
+    vector("translate", Some([0.0; 3]), "moves the object, after `scale` and `rotate_deg`"),
     vector("rotate_deg", Some([0.0; 3]), "turns it about x, then y, then z").unit("degrees"),
-    field("scale", Takes::Scale, "a number or a vector; negative ones mirror"),
+    field("scale", Takes::Scale, "a number or a vector; negative numbers mirror"),
 ];
 
 /// What objects take that are no parts.
 pub const EVERY_OBJECT: &[Field] = &[
-    field("bounds", Takes::Group(BOUNDS), "a box, in the object's own space, that holds all of it"),
-    flag("visible", true, "`false`: no ray sees it, but it casts its shadow"),
+    field("bounds", Takes::Group(BOUNDS), "a box around the object, in the object's own space"),
+    flag("visible", true, "`false`: invisible, but it still casts a shadow"),
     flag("casts_shadow", true, ""),
 ];
 
 pub const BOUNDS: &[Field] =
     &[vector("min", None, "the lowest corner"), vector("max", None, "the highest corner")];
 
-const PARTS: &[Field] = &[field("parts", Takes::Solids, "shapes, or again solids made of them").required()];
+const PARTS: &[Field] = &[field("parts", Takes::Solids, "shapes, or solids made of shapes").required()];
 
 /// The solids that are made of others.
 pub const OPERATIONS: &[(Group, CsgOperation)] = &[
@@ -127,7 +125,7 @@ pub const OPERATIONS: &[(Group, CsgOperation)] = &[
             name: "Union",
             fields: PARTS,
             example: "Union(parts: [Box(), Sphere()])",
-            doc: "what lies in any part: no surface inside",
+            doc: "everything inside any part, without inner surfaces",
         },
         CsgOperation::Union,
     ),
@@ -136,7 +134,7 @@ pub const OPERATIONS: &[(Group, CsgOperation)] = &[
             name: "Intersection",
             fields: PARTS,
             example: "Intersection(parts: [Box(), Sphere()])",
-            doc: "what lies in every part",
+            doc: "everything inside all parts",
         },
         CsgOperation::Intersection,
     ),
@@ -145,7 +143,7 @@ pub const OPERATIONS: &[(Group, CsgOperation)] = &[
             name: "Difference",
             fields: PARTS,
             example: "Difference(parts: [Box(), Sphere(radius: 1.2)])",
-            doc: "what lies in the first part and in none of the others, whose surfaces show where they cut",
+            doc: "the first part without the others; cut surfaces have the material of the part that cuts",
         },
         CsgOperation::Difference,
     ),
@@ -155,7 +153,7 @@ pub const MATERIAL: &[Field] = &[
     texture_or_color("color", 0.8, ""),
     number("specular", 0.0, 0.0, 1e3, "strength of the highlight").varying(),
     number("shininess", 50.0, 0.0, 1e5, "sharpness of the highlight").varying(),
-    number("reflectivity", 0.0, 0.0, 1.0, "share that is mirrored").varying(),
+    number("reflectivity", 0.0, 0.0, 1.0, "share of light that is mirrored").varying(),
     field(
         "fresnel",
         Takes::Number(limits(None, 0.0, 100.0)),
@@ -163,46 +161,52 @@ pub const MATERIAL: &[Field] = &[
     ),
     number("transmission", 0.0, 0.0, 1.0, "share of the rest that passes through").varying(),
     number("ior", 1.5, 0.01, 100.0, "index of refraction inside"),
-    texture_or_color("emission", 0.0, "light of its own; it does not light other objects"),
-    field("bump", Takes::Group(BUMP), "tilts the normal by the slope of a height over the surface"),
+    texture_or_color("emission", 0.0, "light that the surface emits; it does not light other objects"),
+    field("bump", Takes::Group(BUMP), "tilts the normal by the slope of a height map"),
 ];
 
 pub const BUMP: &[Field] = &[
-    field("height", Takes::Number(limits(None, -1e6, 1e6)), "in scene units, times the strength")
+    field("height", Takes::Number(limits(None, -1e6, 1e6)), "height in scene units, times `strength`")
         .varying()
         .required(),
     number("strength", 0.1, -1e3, 1e3, "a factor of the height"),
 ];
 
 /// What every texture and mapping takes.
-pub const EVERY_TEXTURE: &[Field] = &[field("at", Takes::Mapping, "moves the point first")];
+pub const EVERY_TEXTURE: &[Field] = &[field("at", Takes::Mapping, "mapping that moves the point first")];
 
 /// The textures that no signature can say.
 pub const FORMS: &[Group] = &[
     Group {
         name: "Ramp",
         fields: &[
-            field("by", Takes::Number(limits(None, -1e6, 1e6)), "the pattern that it goes by")
+            field("by", Takes::Number(limits(None, -1e6, 1e6)), "pattern that selects the color")
                 .varying()
                 .required(),
-            field("stops", Takes::Stops, "two or more, from low to high").required(),
+            field("stops", Takes::Stops, "at least two, from low to high").required(),
             field(
                 "interpolation",
                 Takes::Choice(&[word("Linear"), word("Smooth"), word("Constant")]),
-                "`Smooth` is level at each stop, `Constant` each stop as it is, up to the next",
+                "`Smooth` has no kinks at the stops, `Constant` keeps each color up to the next stop",
             ),
         ],
         example: r##"Ramp(by: Noise(), stops: [(0, "#000"), (1, "#fff")])"##,
-        doc: "the colors of its stops, by a pattern",
+        doc: "maps a pattern to the colors of its stops",
     },
     Group {
         name: "Triplanar",
         fields: &[
-            texture_or_color("of", 0.0, "the texture that is laid on").required(),
-            number("sharpness", 4.0, 1.0, 64.0, "how soon one side gives way to the next"),
+            texture_or_color("of", 0.0, "texture to lay on").required(),
+            number(
+                "sharpness",
+                4.0,
+                1.0,
+                64.0,
+                "larger numbers make the sides blend over a shorter distance",
+            ),
         ],
         example: "Triplanar(of: Brick())",
-        doc: "a flat texture laid on from three sides, for shapes that cannot be unrolled",
+        doc: "lays on a flat texture from three sides, for shapes without good uv",
     },
     Group {
         name: "Image",
@@ -212,19 +216,19 @@ pub const FORMS: &[Group] = &[
             field(
                 "width",
                 Takes::Number(limits(None, 1e-4, 1e6)),
-                "scene units; left out, it is 1, but covers balls, the sky and models with uv once",
+                "in scene units; default 1, but balls, the sky and models with uv are covered once",
             ),
-            flag("repeat", true, "whether it begins again beyond its edges"),
+            flag("repeat", true, "`true`: repeats beyond its edges"),
             field(
                 "fit",
                 Takes::Choice(&[word("Auto"), word("Units"), word("Whole")]),
                 "`Units`: `width` wide, from uv = (0, 0) on; `Whole`: once over the whole surface",
             ),
-            texture_or_color("under", 1.0, "what is seen where the image is clear"),
+            texture_or_color("under", 1.0, "color where the image is transparent"),
             field(
                 "encoding",
                 Takes::Choice(&[word("Auto"), word("Srgb"), word("Linear")]),
-                "`Linear`: numbers as they are, which `Auto` takes where a number is wanted",
+                "`Linear`: unchanged numbers; `Auto` uses it for numbers, not for colors",
             ),
             field(
                 "channel",
@@ -236,10 +240,10 @@ pub const FORMS: &[Group] = &[
                     word("Blue"),
                     word("Alpha"),
                 ]),
-                "all but `Color` make it a pattern",
+                "all choices except `Color` make it a pattern",
             ),
         ],
         example: r##"Image(file: "photo.png")"##,
-        doc: "a picture from a file, on uv or once over a ball, the sky or a model",
+        doc: "a picture from a file, placed by uv, or once around a ball, the sky or a model",
     },
 ];

@@ -12,7 +12,7 @@ use crate::panel::settings::Theme;
 use crate::panel::{Actions, Leaving, Panel, editor, style, templates};
 
 /// Told before an undo that takes back what was done elsewhere.
-const OUTSIDE: &str = "the next undo takes back what your editor has saved: undo again to do so";
+const OUTSIDE: &str = "the next undo reverts changes that your editor saved: undo again to do so";
 
 impl Panel {
     /// Does what the keys say that were pressed.
@@ -170,10 +170,10 @@ impl Panel {
         match templates::new_texture(&self.disk, &self.scene) {
             Ok(texture) => {
                 let file = texture.path.display();
-                let told = format!("{file} is written; scenes say {}()", texture.name);
+                let told = format!("{file} is written; use it in scenes as {}()", texture.name);
                 editor::open(&texture.path, 1).err().map_or(told.clone(), |why| format!("{told}; {why}"))
             }
-            Err(error) => format!("no texture can be written here: {error}"),
+            Err(error) => format!("the new texture cannot be written: {error}"),
         }
     }
 

@@ -14,7 +14,7 @@ pub fn show(
     copied: &mut Option<String>,
 ) -> Option<Action> {
     let Some(item) = item else {
-        let hint = "A click opens a scene, and tells of a texture or a shape what it takes.";
+        let hint = "Click a scene to open it. Click a texture or a shape to see its parameters.";
         ui.label(RichText::new(hint).weak());
         return None;
     };
@@ -67,7 +67,7 @@ fn buttons(ui: &mut Ui, definition: &Definition, copied: &mut Option<String>) ->
             }
         }
         if function.kind == Kind::Shape {
-            adds = ui.add(Button::new("Add")).on_hover_text("put one into the scene").clicked();
+            adds = ui.add(Button::new("Add")).on_hover_text("add one to the scene").clicked();
         }
         if copied.as_ref().is_some_and(|text| text == call || text == full_call) {
             ui.label(RichText::new("copied").weak().size(11.0));
@@ -80,8 +80,8 @@ fn kind(function: &Function) -> String {
     let noun = function.kind.noun();
     let more = match function.traits {
         _ if function.kind != Kind::Shape => "",
-        traits if traits.is_distance => " that is marched to",
-        traits if traits.is_open => " that has no inside",
+        traits if traits.is_distance => " found by ray marching",
+        traits if traits.is_open => " without an inside",
         _ => "",
     };
     format!("a {noun}{more}")

@@ -107,7 +107,7 @@ impl Query {
         let id = Id::unique("gallery text");
         ui.memory_mut(|memory| memory.request_focus(id));
         let width = (ui.available_width() - 330.0).clamp(*SEARCH.start(), *SEARCH.end());
-        let field = TextEdit::singleline(&mut self.text).hint_text("a name, or what it shows");
+        let field = TextEdit::singleline(&mut self.text).hint_text("search names and captions");
         let frame = Frame::NONE
             .fill(ui.visuals().extreme_bg_color)
             .stroke(ui.visuals().widgets.noninteractive.bg_stroke)
@@ -147,7 +147,7 @@ impl Query {
         let mut clicked = None;
         let mut seen = vec![];
         if categories.is_empty() {
-            ui.label(RichText::new("Nothing is called that, and no caption says it.").weak());
+            ui.label(RichText::new("No name and no caption matches.").weak());
         }
         // The bar that scrolls lies beside them, and makes none of them narrower.
         let room = ui.available_width() - 2.0 * GAP;

@@ -154,15 +154,15 @@ fn words(ui: &Ui, shown: &Shown) -> Option<[String; 2]> {
         Grip::Of(Handle::X) => "along x",
         Grip::Of(Handle::Y) => "along y",
         Grip::Of(Handle::Z) => "along z",
-        Grip::Of(Handle::Plane) => "as the screen lies",
-        Grip::Knob => "to where the light comes from",
+        Grip::Of(Handle::Plane) => "parallel to the screen",
+        Grip::Knob => "direction of the light",
     };
     let control = ui.ctx().format_modifiers(Modifiers::COMMAND);
     Some(match shown.from {
         None => [format!("drag {how}"), format!("changes {name}")],
         Some(_) => {
             let [x, y, z] = value.to_array();
-            [format!("{name}  {x} {y} {z}"), format!("{control} steps of 0.1   Esc takes back")]
+            [format!("{name}  {x} {y} {z}"), format!("{control} steps of 0.1   Esc cancels")]
         }
     })
 }

@@ -29,7 +29,7 @@ struct Offer {
 
 const OFFERS: [Offer; 6] = [
     Offer { name: "This section, WGSL", ending: "section.wgsl", language: None },
-    Offer { name: "WGSL on its own", ending: "standalone.wgsl", language: Some(Language::Wgsl) },
+    Offer { name: "Standalone WGSL", ending: "standalone.wgsl", language: Some(Language::Wgsl) },
     Offer { name: "GLSL for Shadertoy", ending: "glsl", language: Some(Language::Glsl) },
     Offer { name: "SPIR-V for Vulkan", ending: "spv", language: Some(Language::Spirv) },
     Offer { name: "MSL for Metal", ending: "metal", language: Some(Language::Msl) },
@@ -103,11 +103,11 @@ fn carry_out(compiled: &Compiled, language: Option<Language>, place: Place) -> R
             Ok(Done::Written(path))
         }
         Place::Clipboard if !texels.is_empty() => {
-            Err("its images and models go to a second file: save it instead".to_owned())
+            Err("its images and models need a second file: save the shader instead".to_owned())
         }
-        Place::Clipboard => {
-            String::from_utf8(shader).map(Done::Text).map_err(|_| "it is no text to paste".to_owned())
-        }
+        Place::Clipboard => String::from_utf8(shader)
+            .map(Done::Text)
+            .map_err(|_| "it is binary, so it cannot be copied as text".to_owned()),
     }
 }
 
@@ -127,7 +127,8 @@ impl Panel {
                     let is_text = offer.language != Some(Language::Spirv);
                     let copy = ui.add_enabled(is_text, Button::new("Copy"));
                     let copy = copy.accessible_name(format!("copy {}", offer.name));
-                    let copies = copy.on_disabled_hover_text("it is no text to paste").clicked();
+                    let copies =
+                        copy.on_disabled_hover_text("it is binary, so it cannot be copied as text").clicked();
                     let file = format!("{stem}.{}", offer.ending);
                     let save = ui.button("Save").accessible_name(format!("save {}", offer.name));
                     let saves = save.on_hover_text(format!("to {file}")).clicked();

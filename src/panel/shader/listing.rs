@@ -120,12 +120,12 @@ impl History {
             }
         }
         let told = match (self.has_structural, is_same && rows.is_empty()) {
-            (false, true) => "Nothing has changed since it was opened.".to_owned(),
-            (false, false) => "Only numbers have changed since it was opened.".to_owned(),
-            (true, true) => "The text is the same: an image or a model is another one.".to_owned(),
+            (false, true) => "No changes since the scene was opened.".to_owned(),
+            (false, false) => "Only numbers have changed since the scene was opened.".to_owned(),
+            (true, true) => "The text has not changed, but an image or a model has.".to_owned(),
             (true, false) => {
                 let count = |sign| rows.iter().filter(|row| row.sign == sign).count();
-                format!("{} lines gone, {} new", count('-'), count('+'))
+                format!("{} lines removed, {} added", count('-'), count('+'))
             }
         };
         // What is no edit of the structure is no change to tell line by line.

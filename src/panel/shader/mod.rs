@@ -33,7 +33,7 @@ impl Panel {
             false => format!("{} lines", self.shader.listing.page().rows.len()),
         };
         ui.horizontal(|ui| {
-            let help = "since before the last edit that changed more than numbers";
+            let help = "the changes since the last edit of more than numbers";
             ui.toggle_value(&mut self.shader.changes, "What changed").on_hover_text(help);
             self.export_menu(ui);
         });

@@ -53,7 +53,7 @@ fn a_movie_has_a_length_and_a_rate() {
     let mut studio = opened();
     studio.fill(Role::TextInput, "file", "turn.mp4");
     studio.fill(Role::SpinButton, "seconds", "2");
-    studio.fill(Role::SpinButton, "frames a second", "24");
+    studio.fill(Role::SpinButton, "frames per second", "24");
     studio.press("Save the movie");
     let [CaptureAction::Take(order)] = studio.stage().captures.as_slice() else {
         panic!("one was asked for")

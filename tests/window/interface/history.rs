@@ -73,7 +73,7 @@ fn what_an_editor_has_saved_is_not_undone_unasked() {
     studio.save(&outside);
     studio.key(Modifiers::COMMAND, Key::Z);
     assert_eq!(studio.text(), outside);
-    assert!(studio.says("the next undo takes back what your editor has saved"));
+    assert!(studio.says("the next undo reverts changes that your editor saved"));
     // Something else in between, and it is asked again.
     studio.key(Modifiers::NONE, Key::G);
     studio.key(Modifiers::COMMAND, Key::Z);
@@ -92,9 +92,9 @@ fn what_both_have_changed_is_the_authors_choice() {
     for with_mine in [true, false] {
         let mut studio = edited(true);
         studio.save(&SCENE.replace("radius: 1 /*", "radius: 2 /*"));
-        assert!(studio.says("The file was changed at the same place") && studio.says("it says 2"));
-        studio.press(if with_mine { "Take mine" } else { "Keep the file's" });
-        assert!(!studio.says("The file was changed at the same place"));
+        assert!(studio.says("The file has changed in the same place") && studio.says("the file has 2"));
+        studio.press(if with_mine { "Use my value" } else { "Use the file's value" });
+        assert!(!studio.says("The file has changed in the same place"));
         assert_eq!(studio.shown_radius(), if with_mine { 3.0 } else { 2.0 });
         studio.press("Only try");
         let radius = if with_mine { "radius: 3 /*" } else { "radius: 2 /*" };
@@ -106,7 +106,7 @@ fn what_both_have_changed_is_the_authors_choice() {
 fn a_file_that_cannot_be_read_waits_for_its_author() {
     let mut studio = edited(true);
     studio.save("(objects: [");
-    assert!(studio.says("the file has mistakes: mend it to go on here"));
+    assert!(studio.says("the file has mistakes: correct them to continue here"));
     studio.save(SCENE);
     assert_eq!(studio.shown_radius(), 3.0);
 }
@@ -116,19 +116,19 @@ fn the_question_before_changes_are_lost_has_three_answers() {
     let asked = |answer: &str| {
         let mut studio = edited(true);
         studio.pick((Role::ComboBox, "scene"), "other");
-        assert!(studio.has(Role::Dialog, "Write your changes?"));
-        assert!(studio.says("Those in scene.ron were only tried, and its file does not have them."));
+        assert!(studio.has(Role::Dialog, "Save your changes?"));
+        assert!(studio.says("The changes to scene.ron were only tried and are not saved."));
         studio.press(answer);
-        assert!(!studio.has(Role::Dialog, "Write your changes?"));
+        assert!(!studio.has(Role::Dialog, "Save your changes?"));
         studio
     };
     let studio = asked("Stay");
     assert_eq!(studio.text(), SCENE);
     assert_eq!(studio.shown_radius(), 3.0);
-    let studio = asked("Drop them");
+    let studio = asked("Discard");
     assert_eq!(studio.text(), SCENE);
     assert!(studio.has(Role::TreeItem, "ring"));
-    let studio = asked("Write them");
+    let studio = asked("Save");
     assert_eq!(studio.text(), changed());
     assert!(studio.has(Role::TreeItem, "ring"));
 }
@@ -137,10 +137,10 @@ fn the_question_before_changes_are_lost_has_three_answers() {
 fn the_question_is_answered_by_keys_and_takes_no_others() {
     let mut studio = edited(true);
     studio.key(Modifiers::COMMAND, Key::Q);
-    assert!(studio.has(Role::Dialog, "Write your changes?"));
+    assert!(studio.has(Role::Dialog, "Save your changes?"));
     studio.key(Modifiers::NONE, Key::T);
     studio.key(Modifiers::NONE, Key::Escape);
-    assert!(!studio.has(Role::Dialog, "Write your changes?") && studio.is_on("Only try"));
+    assert!(!studio.has(Role::Dialog, "Save your changes?") && studio.is_on("Only try"));
     assert!(!studio.stage().quits);
     studio.key(Modifiers::COMMAND, Key::Q);
     studio.key(Modifiers::NONE, Key::Enter);

@@ -63,7 +63,7 @@ fn mistakes_are_told_over_the_last_good_picture_until_they_are_mended() {
     studio.save(WRONG);
     assert!(studio.has(Role::Alert, "mistakes"));
     for words in [
-        "The scene has mistakes. This is its last good picture.",
+        "The scene has mistakes. The picture is from its last correct version.",
         "there is no shape `Spere`",
         "did you mean `Sphere`?",
         "3 │         Spere(radius: 1),",
@@ -139,7 +139,7 @@ fn a_new_texture_is_written_and_opened() {
     let mut studio = Studio::open(SCENE);
     studio.key(Modifiers::COMMAND | Modifiers::SHIFT, Key::N);
     let texture = studio.home.path().join("textures/my_texture.wgsl");
-    assert!(texture.is_file() && studio.says("scenes say MyTexture()"));
+    assert!(texture.is_file() && studio.says("use it in scenes as MyTexture()"));
     assert_eq!(told(file.as_ref()).trim(), format!("+1 {}", texture.display()));
 }
 
@@ -153,7 +153,7 @@ fn each_mistake_is_a_card_with_its_help_in_sight_in_a_small_window_too() {
             move |own: &AccessKitNode<'_>| own.role() == Role::Label && own.value().as_deref() == Some(words);
         studio.harness.get_by(says_it).rect()
     };
-    let heading = said("The scene has mistakes. This is its last good picture.");
+    let heading = said("The scene has mistakes. The picture is from its last correct version.");
     let (first, last) = (said("help: did you mean `Sphere`?"), said("help: did you mean `radius`?"));
     assert!(heading.top() > 150.0 && first.top() > heading.bottom() && first.bottom() < 600.0, "{heading:?}");
     assert!(last.bottom() - heading.top() > 200.0 && last.right() < 480.0, "{last:?} is wrapped");

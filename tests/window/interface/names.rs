@@ -64,7 +64,7 @@ fn so_can_all_that_opens() {
         assert_eq!(doubled(&studio), Vec::<String>::new(), "{key:?}");
         studio.key(Modifiers::NONE, Key::Escape);
     }
-    for tab in ["Shader", "Cost", "Scene"] {
+    for tab in ["Shader", "Timings", "Scene"] {
         studio.press(tab);
         assert_eq!(doubled(&studio), Vec::<String>::new(), "{tab}");
     }

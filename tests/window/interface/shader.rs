@@ -51,9 +51,9 @@ fn the_shader_is_that_of_the_version_that_is_shown() {
 fn what_changed_is_told_line_by_line_unless_it_is_numbers() {
     let mut studio = opened();
     studio.press("What changed");
-    assert!(studio.says("Nothing has changed since it was opened."));
+    assert!(studio.says("No changes since the scene was opened."));
     studio.save(&SCENE.replace("radius: 1 /*", "radius: 1.25 /*"));
-    assert!(studio.says("Only numbers have changed since it was opened."));
+    assert!(studio.says("Only numbers have changed since the scene was opened."));
     studio.save(&SCENE.replace("objects: [", "objects: [Torus(name: \"ring\"), "));
     assert!(studio.says(" lines removed, ") && studio.says("+     hit = nearer(hit, torus(ray"));
     assert!(!studio.says("fn lightAt("), "what stays is left out");
@@ -72,7 +72,7 @@ fn exports_are_copied_but_for_what_is_no_text() {
     studio.press("Export");
     let spirv = studio.find(Role::Button, "copy SPIR-V for Vulkan");
     assert!(egui_kittest::kittest::NodeT::accesskit_node(&spirv).is_disabled());
-    for name in ["WGSL on its own", "MSL for Metal", "HLSL for Direct3D"] {
+    for name in ["Standalone WGSL", "MSL for Metal", "HLSL for Direct3D"] {
         assert!(studio.has(Role::Button, &format!("copy {name}")), "{name}");
         assert!(studio.has(Role::Button, &format!("save {name}")), "{name}");
     }
@@ -81,8 +81,8 @@ fn exports_are_copied_but_for_what_is_no_text() {
 #[test]
 fn a_picture_s_cost_is_told() {
     let mut studio = Studio::open(SCENE);
-    studio.press("Cost");
-    for words in ["a GPU of paper", "20.0 ms", "50 a second", "naga", "KB"] {
+    studio.press("Timings");
+    for words in ["a GPU of paper", "20.0 ms", "50 per second", "naga", "KB"] {
         assert!(studio.says(words), "{words}");
     }
     let objects = studio.stage().panel.compiled().expect("there is a picture").scene.primitives.len();

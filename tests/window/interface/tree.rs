@@ -49,7 +49,7 @@ fn the_tree_has_all_that_the_scene_has() {
     ];
     assert_eq!(tree(&studio), expected);
     assert!(chosen(&studio).is_empty());
-    assert!(studio.says("Choose something in the tree to see its values."));
+    assert!(studio.says("Choose a line of the tree to see its values."));
 }
 
 #[test]
@@ -218,13 +218,13 @@ fn what_is_used_is_written_out_where_it_goes() {
         assert_eq!(studio.text(), text, "it is one step");
         removed
     };
-    let texture = removed(5, "Remove, and write it out in 4 places");
+    let texture = removed(5, "Remove, and write its value in 4 places");
     let expected = text
         .replace("\"stone\": Noise(scale: 3), ", "")
         .replace("color: \"stone\"", "color: Noise(scale: 3)");
     let expected = expected.replace("joint: \"stone\"", "joint: Noise(scale: 3)");
     assert_eq!(texture, expected.replace("specular: \"stone\"", "specular: Noise(scale: 3)"));
-    let material = removed(8, "Remove, and write it out where it is used");
+    let material = removed(8, "Remove, and write its value where it is used");
     let expected = text.replace("\"stone\": (color: \"stone\"), ", "");
     assert_eq!(material, expected.replace("material: \"stone\"", "material: (color: \"stone\")"));
     assert_eq!(removed(9, "Remove"), text.replace(", \"spare\": (color: 0.5)", ""));

@@ -118,9 +118,9 @@ fn help_has_the_range_the_unit_and_whether_it_is_written() {
     let mut studio = chosen("camera");
     assert_eq!(
         help(&studio, "fov_deg"),
-        "the vertical angle of view\n0.1 to 179, degrees\nnot written: the default"
+        "the vertical angle of view\n0.1 to 179, degrees\ndefault value, not written in the file"
     );
-    assert_eq!(help(&studio, "eye"), "where the camera stands");
+    assert_eq!(help(&studio, "eye"), "position of the camera");
     assert_eq!(studio.find(Role::SpinButton, "fov_deg").value().as_deref(), Some("40°"));
     studio.choose("ball");
     assert!(help(&studio, "reflectivity").ends_with("\n0 to 1"), "{}", help(&studio, "reflectivity"));
@@ -312,7 +312,7 @@ fn a_value_goes_back_to_its_default_unless_it_must_be_there() {
     let text = studio.text();
     assert!(!text.contains("radius") && text.contains("Sphere(name: \"ball\", "), "{text}");
     assert_eq!(studio.find(Role::SpinButton, "radius").value().as_deref(), Some("1"));
-    assert!(help(&studio, "radius").ends_with("not written: the default"));
+    assert!(help(&studio, "radius").ends_with("default value, not written in the file"));
     assert!(!studio.has(Role::Button, "more for radius"), "nothing is left to do");
     studio.choose("Point 0");
     assert!(studio.has(Role::Button, "more for color") && !studio.has(Role::Button, "more for position"));

@@ -38,7 +38,7 @@ fn the_palette_finds_commands_views_and_scenes() {
     assert_eq!(studio.look().view, View::Normal);
     studio.key(Modifiers::COMMAND, Key::P);
     studio.type_text("no such thing");
-    assert!(lines(&studio).is_empty() && studio.says("Nothing is called that."));
+    assert!(lines(&studio).is_empty() && studio.says("Nothing matches."));
     studio.key(Modifiers::NONE, Key::Escape);
     assert!(!studio.has(Role::Dialog, "command palette"));
     studio.key(Modifiers::COMMAND, Key::P);
@@ -111,7 +111,7 @@ fn a_camera_is_kept_under_a_digit_and_comes_back() {
     studio.drag(beside, vec2(60.0, 20.0), |_| ());
     let kept = studio.look().camera.expect("it has moved");
     studio.key(Modifiers::COMMAND, Key::Num3);
-    assert!(studio.says("this camera is kept: 3 comes back to it"));
+    assert!(studio.says("camera saved as bookmark 3: press 3 to return to it"));
     studio.key(Modifiers::NONE, Key::H);
     assert!(studio.look().camera.is_none());
     studio.key(Modifiers::NONE, Key::Num3);
@@ -130,8 +130,8 @@ fn bookmarks_are_named_replaced_and_removed() {
     let mut studio = Studio::open(SCENE);
     let beside = studio.find(Role::Image, "picture").rect().center() + vec2(150.0, 120.0);
     studio.choose("camera");
-    assert!(studio.says("Cameras that you keep are listed here."));
-    studio.press("Keep this camera");
+    assert!(studio.says("Saved cameras appear here."));
+    studio.press("Save this camera");
     studio.fill(Role::TextInput, "name of bookmark 1", "front");
     studio.drag(beside, vec2(60.0, 20.0), |_| ());
     let turned = studio.look().camera.expect("it has moved");
