@@ -43,9 +43,14 @@ impl Compiled {
     ///
     /// # Errors
     /// Where naga refuses that text although it took the other, since a file of the author's has a function
-    /// of the same name.
+    /// of the same name; or where a texture that is measured has more images than can be bound.
     pub fn measuring(&self, measure: ir::Measure) -> Result<Self, Diagnostic> {
         let scene = ir::Scene { measure: Some(measure), ..self.scene.clone() };
+        if scene.images_in_use().len() > ir::Scene::MAX_IMAGES {
+            let message =
+                format!("the scene and what is measured have more than {} images", ir::Scene::MAX_IMAGES);
+            return Err(Diagnostic::error(message));
+        }
         self.with_scene(scene, self.source.mode)
     }
 

@@ -38,7 +38,7 @@ impl Beside {
             let place = Some(ResourceBinding { group: 1, binding });
             module.global_variables.iter().map(|(_, variable)| variable).find(|v| v.binding == place)
         };
-        let sampler = variable(SAMPLER_BINDING).filter(|_| !scene.images.is_empty());
+        let sampler = variable(SAMPLER_BINDING).filter(|_| !scene.images_in_use().is_empty());
         beside.bindings.extend(sampler.map(|variable| {
             let content = "linear in a level and between levels; repeats to all sides".to_owned();
             Binding::new(module, variable, SAMPLER_BINDING, content)

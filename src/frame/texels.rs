@@ -37,9 +37,11 @@ pub struct Texels {
     pub files: Vec<String>,
 }
 
-/// All textures of `scene`, by their bindings. They are made one after the other, since they may be large.
+/// All textures that the shader of `scene` uses, by their bindings. They are made one after the other, since
+/// they may be large.
 pub fn texels(scene: &Scene) -> impl Iterator<Item = Texels> {
-    let images = (1..).zip(&scene.images).map(|(binding, image)| of_image(binding, image));
+    let images = (1..).zip(scene.images_in_use());
+    let images = images.map(|(binding, index)| of_image(binding, &scene.images[index]));
     images.chain((!scene.models.is_empty()).then(|| of_models(&scene.models)))
 }
 

@@ -13,14 +13,14 @@ pub struct Assets {
 }
 
 impl Assets {
-    /// None where the scene takes nothing from files.
+    /// None where the scene's shader takes nothing from files.
     pub fn new(gpu: &Gpu, scene: &Scene) -> Option<Self> {
         let device = &gpu.device;
         let textures: Vec<_> = texels(scene).map(|texels| (texels.binding, upload(gpu, &texels))).collect();
         if textures.is_empty() {
             return None;
         }
-        let sampler = (!scene.images.is_empty()).then(|| sampler(device));
+        let sampler = (!scene.images_in_use().is_empty()).then(|| sampler(device));
         let filtering = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
         let kinds = sampler.iter().map(|_| (SAMPLER_BINDING, filtering));
         let kinds = kinds.chain(textures.iter().map(|(binding, texture)| (*binding, kind(texture))));

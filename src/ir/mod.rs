@@ -6,6 +6,7 @@ pub mod fields;
 mod light;
 mod measure;
 pub mod points;
+mod reached;
 mod render;
 mod resolve;
 mod solid;
@@ -34,6 +35,7 @@ pub struct Scene {
     pub background: Value,
     pub ambient: Vec3,
     pub lights: Vec<Light>,
+    /// All that the author names, used or not.
     pub images: Vec<Image>,
     pub models: Vec<Model>,
     pub textures: Vec<Texture>,

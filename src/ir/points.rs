@@ -12,6 +12,8 @@ use super::{Call, Fit, Texture, Value};
 pub struct Point {
     /// The named textures, as often as they are named.
     pub named: Vec<usize>,
+    /// The images that are looked up.
+    pub images: Vec<usize>,
     /// What is evaluated at other points, and how often the text of that runs.
     pub others: Vec<(u64, Point)>,
     /// Textures and mappings without a name.
@@ -70,6 +72,7 @@ impl Point {
                 place.others.push((SIDES, Point::of([&form.of])));
             }
             Value::Picture(picture) => {
+                self.images.push(picture.image);
                 picture.under.iter().for_each(|under| self.add(under));
                 let place = match picture.fit {
                     Fit::Mapping => self.other(1),

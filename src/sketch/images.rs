@@ -64,10 +64,10 @@ fn between(level: &assets::Level, place: [f32; 2]) -> Vec4 {
     row(low[1]).lerp(row(low[1] + 1.0), at[1] - low[1])
 }
 
-/// All images of `scene` by their bindings, as `frame/texels.rs` has them for a driver.
+/// All images that the shader of `scene` uses by their bindings, as `frame/texels.rs` has them for a driver.
 pub fn images(scene: &Scene) -> Vec<Image> {
     let mut images = vec![Image::Empty];
-    images.extend(scene.images.iter().cloned().map(Image::Colors));
+    images.extend(scene.images_in_use().into_iter().map(|index| Image::Colors(scene.images[index].clone())));
     if !scene.models.is_empty() {
         images.resize_with(MODELS_BINDING as usize, || Image::Empty);
         let mut texels: Vec<[u32; 4]> = vec![];

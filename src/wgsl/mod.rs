@@ -137,6 +137,8 @@ struct Writer<'a> {
     object_names: Vec<String>,
     /// Functions of the objects whose shapes take textures.
     field_names: Vec<String>,
+    /// The images, in the order of their bindings.
+    images_in_use: Vec<usize>,
     /// Constants of the models: `MODEL_KNOT`.
     model_names: Vec<String>,
     /// Functions of CSG solids, by their names.
@@ -159,6 +161,7 @@ impl<'a> Writer<'a> {
             mode,
             numbers: Numbers::new(mode),
             object_names,
+            images_in_use: scene.images_in_use(),
             model_names: scene.models.iter().map(|m| names.constant("MODEL", stem(&m.file))).collect(),
             field_names: scene.primitives.iter().map(|o| names.function(&o.name, "Field")).collect(),
             csg_names: csg::function_names(scene, &mut names),

@@ -173,16 +173,18 @@ impl Writer<'_> {
             (_, None) => "imageColor",
             (_, Some(_)) => "imageColorOver",
         };
-        let arguments = [Code::atom(format!("image{}", picture.image)), at];
+        let place = self.images_in_use.iter().position(|image| *image == picture.image);
+        let place = place.expect("what is written is in use");
+        let arguments = [Code::atom(format!("image{place}")), at];
         Code::call(function, arguments.into_iter().chain(numbers).chain(under))
     }
 
     /// What the images are bound to.
     pub fn images(&self) -> Lines {
         let mut lines = Lines::default();
-        for (i, image) in self.scene.images.iter().enumerate() {
+        for (i, index) in self.images_in_use.iter().enumerate() {
             lines.push("");
-            lines.push(code::one_line(&format!("/// {}", image.file)));
+            lines.push(code::one_line(&format!("/// {}", self.scene.images[*index].file)));
             lines.push(format!("@group(1) @binding({}) var image{i}: texture_2d<f32>;", i + 1));
         }
         lines
@@ -198,7 +200,7 @@ impl Writer<'_> {
         if let Some(Measure::Texture(index)) = scene.measure {
             reach(&[&Value::Texture(index)]);
         }
-        for material in &scene.materials {
+        for material in scene.materials_in_use() {
             reach(&material.properties.iter().map(|(_, value)| value).collect::<Vec<_>>());
             material.bump.iter().for_each(|bump| reach(&[&bump.height]));
         }

@@ -14,6 +14,7 @@ mod edits;
 mod errors;
 mod golden;
 mod history;
+mod images_in_use;
 mod judge;
 mod models;
 mod outline;

@@ -3,12 +3,9 @@
 use super::Resolver;
 use crate::assets::Reading;
 use crate::diagnostic::Diagnostic;
-use crate::ir::Value;
+use crate::ir::{Scene, Value};
 use crate::library::{Parameter, Type};
 use crate::scene::{self, Kind};
-
-/// What WebGPU lets a shader read, without the models and the picture that gathers samples.
-const MAX_IMAGES: usize = 14;
 
 impl Resolver<'_> {
     /// The index of the image in the file `path`, read as `reading` says.
@@ -16,17 +13,13 @@ impl Resolver<'_> {
         let place = self.place(&written.span);
         match self.lookup.image(path, reading) {
             Ok(image) => {
-                let known = self.images.iter().position(|i| *i == image);
+                let known = self.images.iter().position(|(known, _)| *known == image);
                 Some(known.unwrap_or_else(|| {
                     if let Some(warning) = &image.warning {
                         let message = format!("`{}` {warning}", image.file);
                         self.push(Diagnostic::warning(message).at(place.clone(), ""));
                     }
-                    self.images.push(image);
-                    if self.images.len() > MAX_IMAGES {
-                        let message = format!("more than {MAX_IMAGES} images in one scene");
-                        self.push(Diagnostic::error(message).at(place, ""));
-                    }
+                    self.images.push((image, place));
                     self.images.len() - 1
                 }))
             }
@@ -36,6 +29,15 @@ impl Resolver<'_> {
                 self.refuse_file(problem, written, advice);
                 None
             }
+        }
+    }
+
+    /// Refuses more images than a shader can look up.
+    pub fn check_images(&mut self, scene: &Scene) {
+        if let Some(index) = scene.images_in_use().get(Scene::MAX_IMAGES) {
+            let message = format!("more than {} images in one scene", Scene::MAX_IMAGES);
+            let place = self.images[*index].1.clone();
+            self.push(Diagnostic::error(message).at(place, ""));
         }
     }
 

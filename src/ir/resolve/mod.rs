@@ -42,6 +42,7 @@ pub fn resolve(
 ) -> Result<(Scene, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut resolver = Resolver::new(file, text, library);
     let scene = resolver.scene(root);
+    resolver.check_images(&scene);
     let mut problems = resolver.problems;
     problems.extend(library.take_warnings());
     problems.sort_by_key(|p| {
@@ -71,7 +72,8 @@ struct Resolver<'a> {
     usage: Usage,
     /// Whether it would be another one, or a warning, for another use.
     depends_on_usage: bool,
-    images: Vec<Image>,
+    /// Each with the place that first names it.
+    images: Vec<(Image, Place)>,
     models: Vec<Model>,
     textures: Vec<Texture>,
     /// Those of them that depend on what they are wanted for.
@@ -163,7 +165,7 @@ impl<'a> Resolver<'a> {
             background,
             ambient,
             lights,
-            images: std::mem::take(&mut self.images),
+            images: self.images.iter().map(|(image, _)| image.clone()).collect(),
             models: std::mem::take(&mut self.models),
             textures: std::mem::take(&mut self.textures),
             materials: std::mem::take(&mut self.materials),

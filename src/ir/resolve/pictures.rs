@@ -39,11 +39,11 @@ impl Resolver<'_> {
         };
         let image = self.image(path, file, reading)?;
         let under = match under {
-            None if self.images[image].has_alpha && ty == Type::Vec3 => self.ground(file, image),
+            None if self.images[image].0.has_alpha && ty == Type::Vec3 => self.ground(file, image),
             given => given,
         };
         // Where it is whole and goes on for ever, nothing is seen under it.
-        let under = under.filter(|_| self.images[image].has_alpha || !repeat);
+        let under = under.filter(|_| self.images[image].0.has_alpha || !repeat);
         Some(Picture { at: at?, image, ty, width, fit, under, repeat })
     }
 
@@ -73,7 +73,7 @@ impl Resolver<'_> {
         if self.usage != Usage::Surface {
             return None;
         }
-        let Image { file: name, .. } = &self.images[image];
+        let Image { file: name, .. } = &self.images[image].0;
         let message = format!("`{name}` is transparent in places: white is drawn there");
         let advice =
             "choose the color there with `under: \"white\"`, or read the alpha with `channel: Alpha`";
