@@ -100,7 +100,8 @@ fn number(text: &str) -> usize {
     text.char_indices().find(ends).map_or(text.len(), |(at, _)| at)
 }
 
-/// The length of the comment that opens `text`, with those inside of it.
+/// The length of the comment that opens `text`, with those inside of it. RON has the same rule, which
+/// `scene/numbers.rs` keeps for itself: each language may change its own.
 fn block_comment(text: &str) -> usize {
     let (mut depth, mut at) = (0, 0);
     while at < text.len() {
