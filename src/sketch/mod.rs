@@ -6,20 +6,15 @@
 
 pub mod canary;
 mod images;
-mod lanes;
-mod lower;
-mod machine;
-mod program;
 
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-use self::images::Image;
-pub use self::lower::Unsupported;
-use self::lower::unsupported;
-use self::machine::{Inputs, Machine};
-use self::program::{Program, SIDE};
+pub use raytoy_vm::Unsupported;
+use raytoy_vm::{Inputs, Machine, Program, SIDE, lower};
+
+use self::images::Images;
 use crate::assets::Model;
 use crate::compile::Compiled;
 use crate::frame::FrameUniforms;
@@ -37,7 +32,7 @@ const MAX_TEXELS: usize = 1 << 20;
 #[derive(Clone, Debug)]
 pub struct Sketch {
     program: Arc<Program>,
-    images: Arc<[Image]>,
+    images: Arc<Images>,
     numbers: Arc<[f32]>,
     /// Whether it can show debug views.
     pub has_views: bool,
@@ -52,13 +47,13 @@ impl Sketch {
     /// Where the module has something that only a driver can do; no file that ships with raytoy has.
     pub fn new(compiled: &Compiled) -> Result<Self, Unsupported> {
         if compiled.scene.models.iter().map(Model::texels).sum::<usize>() > MAX_TEXELS {
-            return unsupported("models of so many triangles");
+            return Err(Unsupported::of("models of so many triangles"));
         }
         let (module, info) = (compiled.module.naga(), compiled.module.info());
-        let program = lower::lower(module, info, "tracePixel")?;
+        let program = lower(module, info, "tracePixel")?;
         Ok(Self {
             program: Arc::new(program),
-            images: images::images(&compiled.scene).into(),
+            images: Images::of(&compiled.scene).into(),
             numbers: compiled.source.numbers.as_slice().into(),
             has_views: compiled.source.has_views(),
         })
@@ -72,10 +67,11 @@ impl Sketch {
         let [width, height] = frame.resolution.map(|n| n as u32);
         let [columns, rows] = [width, height].map(|n| n.div_ceil(SIDE as u32));
         let begun = Instant::now();
+        let images = self.images.bound();
         let inputs = Inputs {
             frame: bytemuck::cast_slice(std::slice::from_ref(frame)),
             numbers: bytemuck::cast_slice(&self.numbers),
-            images: &self.images,
+            images: &images,
             until: begun + patience,
         };
         let squares = columns * rows;

@@ -174,7 +174,7 @@ fn a_driver_that_draws_wrong_is_found_out_and_the_line_is_named_before() {
             .with(format!("textures/{file}.wgsl"), &snippet);
         let outcome = raytoy::compile(&sources, "long.ron".as_ref(), Mode::Baked, None);
         let report = outcome.report.to_string();
-        assert_eq!(report.contains("branches in each other"), is_deep, "{name}: {report}");
+        assert_eq!(report.contains("branches are nested"), is_deep, "{name}: {report}");
         assert_eq!(report.contains(&format!("textures/{file}.wgsl:10")), is_deep, "{name}: {report}");
         let compiled = expect_compiled(outcome);
         let Some(gpu) = gpu() else { continue };

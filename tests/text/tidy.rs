@@ -27,6 +27,8 @@ const IMPORTS: &[(&str, &[&str])] = &[
     ("stage", &["compile", "diagnostic", "sources"]),
     ("watch", &["sources"]),
     ("sketch", &["assets", "compile", "frame", "ir"]),
+    // A crate of its own, of which `crate::` is the root.
+    ("vm", &["image", "lanes", "lower", "machine", "op", "program"]),
     ("judge", &[]),
     ("difference", &["compile", "frame", "gpu", "judge", "scene", "wgsl"]),
     ("laws", &["compile", "diagnostic", "frame", "gpu", "library", "sources", "wgsl"]),
@@ -113,7 +115,8 @@ const IMPORTS: &[(&str, &[&str])] = &[
 ];
 
 /// What only some rooms may name, and where.
-const RESERVED: [(&str, &[&str]); 9] = [
+const RESERVED: [(&str, &[&str]); 10] = [
+    ("raytoy_vm", &["sketch"]),
     ("wgpu::", &["gpu", "engine", "window"]),
     ("winit::", &["window"]),
     ("egui::", &["panel", "window"]),

@@ -2,9 +2,9 @@
 
 use std::time::Instant;
 
-use super::images::Image;
-use super::lanes::{and, and_not, any, one, or, store, three, two};
-use super::program::{Buffer, Case, LANES, Lanes, Node, Op, Program, Reg, SIDE};
+use super::image::Image;
+use super::lanes::{LANES, Lanes, SIDE, and, and_not, any, binary, or, store, ternary, unary};
+use super::program::{Buffer, Case, Node, Op, Program, Reg};
 
 const ALL: Lanes = [u32::MAX; LANES];
 const NONE: Lanes = [0; LANES];
@@ -14,7 +14,7 @@ const NONE: Lanes = [0; LANES];
 pub struct Inputs<'a> {
     pub frame: &'a [u32],
     pub numbers: &'a [u32],
-    pub images: &'a [Image],
+    pub images: &'a [Image<'a>],
     /// When to give up.
     pub until: Instant,
 }
@@ -212,13 +212,13 @@ impl<'a> Machine<'a> {
             Buffer::Corner => &[0; 2],
         };
         match *op {
-            Op::One { f, to, a } => registers[to as usize] = one(f, &registers[a as usize]),
-            Op::Two { f, to, a, b } => {
-                registers[to as usize] = two(f, &registers[a as usize], &registers[b as usize]);
+            Op::Unary { f, to, a } => registers[to as usize] = unary(f, &registers[a as usize]),
+            Op::Binary { f, to, a, b } => {
+                registers[to as usize] = binary(f, &registers[a as usize], &registers[b as usize]);
             }
-            Op::Three { f, to, a, b, c } => {
+            Op::Ternary { f, to, a, b, c } => {
                 let [a, b, c] = [a, b, c].map(|r| &registers[r as usize]);
-                registers[to as usize] = three(f, a, b, c);
+                registers[to as usize] = ternary(f, a, b, c);
             }
             Op::Store { to, a } => {
                 let new = registers[a as usize];

@@ -3,8 +3,8 @@
 use naga::{AtomicFunction, Block, Statement, SwitchValue};
 
 use super::{Body, Lowering, Result, unsupported};
-use crate::sketch::lanes::Two;
-use crate::sketch::program::{Case, Node, Op};
+use crate::op::BinaryOp;
+use crate::program::{Case, Node, Op};
 
 impl<'m> Lowering<'m> {
     fn nodes(&mut self, body: &mut Body<'m>, block: &'m Block) -> Result<Vec<Node>> {
@@ -100,7 +100,7 @@ impl<'m> Lowering<'m> {
             Statement::Atomic { pointer, fun: AtomicFunction::Max, value, result } => {
                 let place = self.place(body, *pointer)?;
                 let (before, value) = (self.load(&place, 1)?, self.scalar(body, *value)?);
-                let most = self.two(Two::UintMax, before[0], value);
+                let most = self.emit_binary(BinaryOp::UintMax, before[0], value);
                 self.store(&place, vec![most], body.depth)?;
                 if let Some(result) = result {
                     body.values[result.index()] = Some(before);

@@ -6,8 +6,8 @@ use naga::{
 
 use super::places::count_of;
 use super::{Body, Lowering, Result, unsupported};
-use crate::sketch::lanes::{One, Three, Two};
-use crate::sketch::program::{Op, Reg};
+use crate::op::{BinaryOp, TernaryOp, UnaryOp};
+use crate::program::{Op, Reg};
 
 impl<'m> Lowering<'m> {
     /// The registers of a value.
@@ -92,7 +92,7 @@ impl<'m> Lowering<'m> {
                 let [condition, a, b] = [*condition, *accept, *reject].map(|h| self.value(body, h));
                 let (condition, a, b) = (condition?, a?, b?);
                 let is = |i: usize| condition[i.min(condition.len() - 1)];
-                Ok((0..a.len()).map(|i| self.three(Three::Select, is(i), a[i], b[i])).collect())
+                Ok((0..a.len()).map(|i| self.emit_ternary(TernaryOp::Select, is(i), a[i], b[i])).collect())
             }
             Expression::Derivative { axis, ctrl: DerivativeControl::None, expr } => {
                 let values = self.value(body, *expr)?;
@@ -178,14 +178,14 @@ impl<'m> Lowering<'m> {
 
     fn derivative(&mut self, axis: DerivativeAxis, a: Reg) -> Reg {
         match axis {
-            DerivativeAxis::X => self.one(One::AlongX, a),
-            DerivativeAxis::Y => self.one(One::AlongY, a),
+            DerivativeAxis::X => self.emit_unary(UnaryOp::AlongX, a),
+            DerivativeAxis::Y => self.emit_unary(UnaryOp::AlongY, a),
             DerivativeAxis::Width => {
-                let [x, y] = [One::AlongX, One::AlongY].map(|f| {
-                    let along = self.one(f, a);
-                    self.one(One::Abs, along)
+                let [x, y] = [UnaryOp::AlongX, UnaryOp::AlongY].map(|f| {
+                    let along = self.emit_unary(f, a);
+                    self.emit_unary(UnaryOp::Abs, along)
                 });
-                self.two(Two::Add, x, y)
+                self.emit_binary(BinaryOp::Add, x, y)
             }
         }
     }

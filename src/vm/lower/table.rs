@@ -1,6 +1,6 @@
 //! A number for some of many registers, quick to look up and quick to forget.
 
-use crate::sketch::program::Reg;
+use crate::program::Reg;
 
 pub struct Table {
     numbers: Vec<u32>,

@@ -1,14 +1,14 @@
-//! Few registers for many values, so that those in use stay in the processor's nearest memory.
+//! Register allocation: few registers for many values, so that those in use stay in the nearest cache.
 
 use std::ops::Range;
 
-use super::simplify::{each_asked, each_range};
 use super::table::Table;
-use crate::sketch::program::{Node, Op, Reg};
+use super::walk::{each_asked, each_range};
+use crate::program::{Node, Op, Reg};
 
 /// Renames the registers `own` of the function with these `nodes`, whose steps are the last ones of `ops`;
 /// where they end now. One that is only used within a row of steps is free again after that.
-pub fn allot(ops: &mut [Op], nodes: &mut [Node], own: Range<Reg>) -> Reg {
+pub fn regalloc(ops: &mut [Op], nodes: &mut [Node], own: Range<Reg>) -> Reg {
     let mut rows = vec![];
     each_range(nodes, &mut |range| rows.push(range.start as usize..range.end as usize));
     let lasting = lasting(ops, nodes, &rows, &own);
@@ -69,10 +69,10 @@ fn lasting(ops: &[Op], nodes: &mut [Node], rows: &[Range<usize>], own: &Range<Re
     for (number, row) in rows.iter().enumerate() {
         for op in &ops[row.clone()] {
             let mut op = *op;
-            if let Some(several) = op.several() {
+            if let Some(several) = op.contiguous() {
                 several.for_each(&mut last);
             }
-            let whole = op.whole();
+            let whole = op.full_write();
             // What is read, or written in some lanes only, has to be there already.
             op.each_register(|register| {
                 if !own.contains(register) {

@@ -3,8 +3,8 @@
 use naga::{AddressSpace, Expression, Handle, TypeInner};
 
 use super::{Body, Lowering, Result, unsupported};
-use crate::sketch::lanes::One;
-use crate::sketch::program::{Buffer, Op, Reg};
+use crate::op::UnaryOp;
+use crate::program::{Buffer, Op, Reg};
 
 /// Where a value lies, and what chooses among several of its kind.
 pub struct Place {
@@ -126,7 +126,7 @@ impl<'m> Lowering<'m> {
             let to = first + i;
             let at = place.offset + i;
             let op = match (place.base, &place.chosen) {
-                (Base::Registers(base), None) => Op::One { f: One::Copy, to, a: base + at },
+                (Base::Registers(base), None) => Op::Unary { f: UnaryOp::Copy, to, a: base + at },
                 (Base::Registers(base), Some(Chosen { index, stride, count })) => {
                     Op::Gather { to, first: base + at, stride: *stride, count: *count, index: *index }
                 }
@@ -147,7 +147,7 @@ impl<'m> Lowering<'m> {
         let is_for_all = depth == 0 && place.is_local;
         for (to, a) in (base + place.offset..).zip(value) {
             self.program.ops.push(match place.chosen {
-                None if is_for_all => Op::One { f: One::Copy, to, a },
+                None if is_for_all => Op::Unary { f: UnaryOp::Copy, to, a },
                 None => Op::Store { to, a },
                 Some(Chosen { index, stride, count }) => Op::Scatter { first: to, stride, count, index, a },
             });

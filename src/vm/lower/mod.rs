@@ -3,27 +3,35 @@
 //! A function's registers lie above those of all that it calls, so functions that never run at the same time
 //! share theirs. Functions without branches are written out where they are called.
 
-mod allot;
 mod calls;
+mod copy_prop;
+mod dce;
 mod expressions;
 mod functions;
 mod math;
 mod operators;
 mod places;
-mod simplify;
+mod regalloc;
 mod statements;
 mod table;
+mod walk;
 
 use std::collections::HashMap;
 
 use naga::{Expression, Handle, TypeInner};
 
-use super::lanes::{One, Three, Two};
+use super::op::{BinaryOp, TernaryOp, UnaryOp};
 use super::program::{Op, Program, Reg};
 
 /// What a module has that a program cannot do, as naga has it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unsupported(String);
+
+impl Unsupported {
+    pub fn of(what: impl std::fmt::Debug) -> Self {
+        Self(format!("{what:?}"))
+    }
+}
 
 impl std::fmt::Display for Unsupported {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -36,7 +44,7 @@ impl std::error::Error for Unsupported {}
 pub type Result<T> = std::result::Result<T, Unsupported>;
 
 pub fn unsupported<T>(what: impl std::fmt::Debug) -> Result<T> {
-    Err(Unsupported(format!("{what:?}")))
+    Err(Unsupported::of(what))
 }
 
 /// Registers for private variables and constants, below those of all functions.
@@ -145,26 +153,26 @@ impl Lowering<'_> {
         self.constant(value.to_bits())
     }
 
-    fn one(&mut self, f: One, a: Reg) -> Reg {
+    fn emit_unary(&mut self, f: UnaryOp, a: Reg) -> Reg {
         let to = self.registers(1);
-        self.program.ops.push(Op::One { f, to, a });
+        self.program.ops.push(Op::Unary { f, to, a });
         to
     }
 
-    fn two(&mut self, f: Two, a: Reg, b: Reg) -> Reg {
+    fn emit_binary(&mut self, f: BinaryOp, a: Reg, b: Reg) -> Reg {
         let to = self.registers(1);
-        self.program.ops.push(Op::Two { f, to, a, b });
+        self.program.ops.push(Op::Binary { f, to, a, b });
         to
     }
 
-    fn three(&mut self, f: Three, a: Reg, b: Reg, c: Reg) -> Reg {
+    fn emit_ternary(&mut self, f: TernaryOp, a: Reg, b: Reg, c: Reg) -> Reg {
         let to = self.registers(1);
-        self.program.ops.push(Op::Three { f, to, a, b, c });
+        self.program.ops.push(Op::Ternary { f, to, a, b, c });
         to
     }
 
     fn copy(&mut self, to: Reg, a: Reg) {
-        self.program.ops.push(Op::One { f: One::Copy, to, a });
+        self.program.ops.push(Op::Unary { f: UnaryOp::Copy, to, a });
     }
 
     /// How many registers a value of the type has.

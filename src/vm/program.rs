@@ -2,14 +2,7 @@
 
 use std::ops::Range;
 
-use super::lanes::{One, Three, Two};
-
-/// How many pixels go through a program together: a square of [`SIDE`] by [`SIDE`].
-pub const LANES: usize = SIDE * SIDE;
-pub const SIDE: usize = 8;
-
-/// One 32-bit value for each pixel. Floats are their bits; booleans are all ones or all zeros.
-pub type Lanes = [u32; LANES];
+use super::op::{BinaryOp, TernaryOp, UnaryOp};
 
 /// The number of a register.
 pub type Reg = u32;
@@ -77,19 +70,19 @@ pub struct Case {
 /// A step that all lanes take; `to` is written, the others are read.
 #[derive(Clone, Copy, Debug)]
 pub enum Op {
-    One {
-        f: One,
+    Unary {
+        f: UnaryOp,
         to: Reg,
         a: Reg,
     },
-    Two {
-        f: Two,
+    Binary {
+        f: BinaryOp,
         to: Reg,
         a: Reg,
         b: Reg,
     },
-    Three {
-        f: Three,
+    Ternary {
+        f: TernaryOp,
         to: Reg,
         a: Reg,
         b: Reg,
@@ -157,9 +150,9 @@ impl Op {
     /// The registers that get a value.
     pub fn writes(&self) -> Range<Reg> {
         match *self {
-            Op::One { to, .. }
-            | Op::Two { to, .. }
-            | Op::Three { to, .. }
+            Op::Unary { to, .. }
+            | Op::Binary { to, .. }
+            | Op::Ternary { to, .. }
             | Op::Store { to, .. }
             | Op::Gather { to, .. }
             | Op::Word { to, .. }
@@ -179,7 +172,7 @@ impl Op {
     }
 
     /// The registers that must lie in a row.
-    pub fn several(&self) -> Option<Range<Reg>> {
+    pub fn contiguous(&self) -> Option<Range<Reg>> {
         match *self {
             Op::Gather { first, stride, count, .. } => Some(first..first + stride * (count - 1) + 1),
             Op::Scatter { .. } | Op::Texel { .. } | Op::Sample { .. } | Op::Size { .. } => {
@@ -190,7 +183,7 @@ impl Op {
     }
 
     /// The register that it writes in all lanes, where that is one.
-    pub fn whole(&self) -> Option<Reg> {
+    pub fn full_write(&self) -> Option<Reg> {
         match self {
             Op::Store { .. } | Op::Scatter { .. } => None,
             _ => Some(self.writes()).filter(|all| all.len() == 1).map(|all| all.start),
@@ -201,9 +194,9 @@ impl Op {
     pub fn each_register(&mut self, mut tell: impl FnMut(&mut Reg)) {
         self.reads_mut(&mut tell);
         match self {
-            Op::One { to, .. }
-            | Op::Two { to, .. }
-            | Op::Three { to, .. }
+            Op::Unary { to, .. }
+            | Op::Binary { to, .. }
+            | Op::Ternary { to, .. }
             | Op::Store { to, .. }
             | Op::Word { to, .. }
             | Op::WordAt { to, .. }
@@ -218,9 +211,9 @@ impl Op {
     /// Those that might as well be others.
     pub fn reads_mut(&mut self, mut tell: impl FnMut(&mut Reg)) {
         match self {
-            Op::One { a, .. } | Op::Store { a, .. } => tell(a),
-            Op::Two { a, b, .. } => [a, b].into_iter().for_each(tell),
-            Op::Three { a, b, c, .. } => [a, b, c].into_iter().for_each(tell),
+            Op::Unary { a, .. } | Op::Store { a, .. } => tell(a),
+            Op::Binary { a, b, .. } => [a, b].into_iter().for_each(tell),
+            Op::Ternary { a, b, c, .. } => [a, b, c].into_iter().for_each(tell),
             Op::Gather { index, .. } | Op::WordAt { index, .. } => tell(index),
             Op::Scatter { index, a, .. } => [index, a].into_iter().for_each(tell),
             Op::Texel { x, y, .. } => [x, y].into_iter().for_each(tell),

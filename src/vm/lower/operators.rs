@@ -3,17 +3,17 @@
 use naga::{BinaryOperator, RelationalFunction, ScalarKind, TypeInner, UnaryOperator};
 
 use super::{Lowering, Result, unsupported};
-use crate::sketch::lanes::{One, Three, Two};
-use crate::sketch::program::Reg;
+use crate::op::{BinaryOp, TernaryOp, UnaryOp};
+use crate::program::Reg;
 
 impl Lowering<'_> {
     pub fn unary(&mut self, op: UnaryOperator, a: &[Reg], ty: &TypeInner) -> Result<Vec<Reg>> {
         let f = match (op, kind(ty)?) {
-            (UnaryOperator::Negate, ScalarKind::Float) => One::Neg,
-            (UnaryOperator::Negate, _) => One::IntNeg,
-            (UnaryOperator::LogicalNot | UnaryOperator::BitwiseNot, _) => One::Not,
+            (UnaryOperator::Negate, ScalarKind::Float) => UnaryOp::Neg,
+            (UnaryOperator::Negate, _) => UnaryOp::IntNeg,
+            (UnaryOperator::LogicalNot | UnaryOperator::BitwiseNot, _) => UnaryOp::Not,
         };
-        Ok(a.iter().map(|a| self.one(f, *a)).collect())
+        Ok(a.iter().map(|a| self.emit_unary(f, *a)).collect())
     }
 
     pub fn binary(
@@ -41,7 +41,7 @@ impl Lowering<'_> {
         let mut results = vec![];
         for i in 0..size {
             let (x, y) = if turned { (of(b, i), of(a, i)) } else { (of(a, i), of(b, i)) };
-            results.push(self.two(f, x, y));
+            results.push(self.emit_binary(f, x, y));
         }
         Ok(results)
     }
@@ -60,17 +60,17 @@ impl Lowering<'_> {
     }
 
     pub fn dot(&mut self, a: &[Reg], b: &[Reg]) -> Reg {
-        let first = self.two(Two::Mul, a[0], b[0]);
-        a.iter().zip(b).skip(1).fold(first, |sum, (a, b)| self.three(Three::MulAdd, *a, *b, sum))
+        let first = self.emit_binary(BinaryOp::Mul, a[0], b[0]);
+        a.iter().zip(b).skip(1).fold(first, |sum, (a, b)| self.emit_ternary(TernaryOp::MulAdd, *a, *b, sum))
     }
 
     pub fn relational(&mut self, fun: RelationalFunction, a: &[Reg], ty: &TypeInner) -> Result<Vec<Reg>> {
         let f = match fun {
-            RelationalFunction::All => Two::And,
-            RelationalFunction::Any => Two::Or,
+            RelationalFunction::All => BinaryOp::And,
+            RelationalFunction::Any => BinaryOp::Or,
             RelationalFunction::IsNan | RelationalFunction::IsInf => return unsupported((fun, ty)),
         };
-        let all = a[1..].iter().fold(a[0], |all, a| self.two(f, all, *a));
+        let all = a[1..].iter().fold(a[0], |all, a| self.emit_binary(f, all, *a));
         Ok(vec![all])
     }
 
@@ -78,18 +78,18 @@ impl Lowering<'_> {
     pub fn converted(&mut self, a: &[Reg], ty: &TypeInner, to: ScalarKind) -> Result<Vec<Reg>> {
         use ScalarKind::{Bool, Float, Sint, Uint};
         let f = match (kind(ty)?, to) {
-            (Float, Sint) => One::FloatToInt,
-            (Float, Uint) => One::FloatToUint,
-            (Float, Bool) => One::FloatToBool,
-            (Sint, Float) => One::IntToFloat,
-            (Uint, Float) => One::UintToFloat,
-            (Sint | Uint, Bool) => One::IntToBool,
-            (Bool, Float) => One::BoolToFloat,
-            (Bool, Sint | Uint) => One::BoolToInt,
+            (Float, Sint) => UnaryOp::FloatToInt,
+            (Float, Uint) => UnaryOp::FloatToUint,
+            (Float, Bool) => UnaryOp::FloatToBool,
+            (Sint, Float) => UnaryOp::IntToFloat,
+            (Uint, Float) => UnaryOp::UintToFloat,
+            (Sint | Uint, Bool) => UnaryOp::IntToBool,
+            (Bool, Float) => UnaryOp::BoolToFloat,
+            (Bool, Sint | Uint) => UnaryOp::BoolToInt,
             (Float, Float) | (Sint | Uint, Sint | Uint) | (Bool, Bool) => return Ok(a.to_vec()),
             other => return unsupported(other),
         };
-        Ok(a.iter().map(|a| self.one(f, *a)).collect())
+        Ok(a.iter().map(|a| self.emit_unary(f, *a)).collect())
     }
 }
 
@@ -104,31 +104,33 @@ pub fn kind(ty: &TypeInner) -> Result<ScalarKind> {
 }
 
 /// The step for an operator, and whether its sides change places.
-fn function(op: BinaryOperator, kind: ScalarKind) -> Result<(Two, bool)> {
+fn function(op: BinaryOperator, kind: ScalarKind) -> Result<(BinaryOp, bool)> {
     use BinaryOperator as Binary;
     let of = |float, int, uint| match kind {
         ScalarKind::Float => float,
         ScalarKind::Sint => int,
         _ => uint,
     };
-    let less = of(Two::Less, Two::IntLess, Two::UintLess);
-    let less_equal = of(Two::LessEqual, Two::IntLessEqual, Two::UintLessEqual);
+    let less = of(BinaryOp::Less, BinaryOp::IntLess, BinaryOp::UintLess);
+    let less_equal = of(BinaryOp::LessEqual, BinaryOp::IntLessEqual, BinaryOp::UintLessEqual);
     Ok(match op {
-        Binary::Add => (of(Two::Add, Two::IntAdd, Two::IntAdd), false),
-        Binary::Subtract => (of(Two::Sub, Two::IntSub, Two::IntSub), false),
-        Binary::Multiply => (of(Two::Mul, Two::IntMul, Two::IntMul), false),
-        Binary::Divide => (of(Two::Div, Two::IntDiv, Two::UintDiv), false),
-        Binary::Modulo => (of(Two::Rem, Two::IntRem, Two::UintRem), false),
-        Binary::Equal => (of(Two::Equal, Two::BitsEqual, Two::BitsEqual), false),
-        Binary::NotEqual => (of(Two::NotEqual, Two::BitsNotEqual, Two::BitsNotEqual), false),
+        Binary::Add => (of(BinaryOp::Add, BinaryOp::IntAdd, BinaryOp::IntAdd), false),
+        Binary::Subtract => (of(BinaryOp::Sub, BinaryOp::IntSub, BinaryOp::IntSub), false),
+        Binary::Multiply => (of(BinaryOp::Mul, BinaryOp::IntMul, BinaryOp::IntMul), false),
+        Binary::Divide => (of(BinaryOp::Div, BinaryOp::IntDiv, BinaryOp::UintDiv), false),
+        Binary::Modulo => (of(BinaryOp::Rem, BinaryOp::IntRem, BinaryOp::UintRem), false),
+        Binary::Equal => (of(BinaryOp::Equal, BinaryOp::BitsEqual, BinaryOp::BitsEqual), false),
+        Binary::NotEqual => (of(BinaryOp::NotEqual, BinaryOp::BitsNotEqual, BinaryOp::BitsNotEqual), false),
         Binary::Less => (less, false),
         Binary::LessEqual => (less_equal, false),
         Binary::Greater => (less, true),
         Binary::GreaterEqual => (less_equal, true),
-        Binary::And | Binary::LogicalAnd => (Two::And, false),
-        Binary::InclusiveOr | Binary::LogicalOr => (Two::Or, false),
-        Binary::ExclusiveOr => (Two::Xor, false),
-        Binary::ShiftLeft => (Two::ShiftLeft, false),
-        Binary::ShiftRight => (of(Two::ShiftRight, Two::ShiftRight, Two::UintShiftRight), false),
+        Binary::And | Binary::LogicalAnd => (BinaryOp::And, false),
+        Binary::InclusiveOr | Binary::LogicalOr => (BinaryOp::Or, false),
+        Binary::ExclusiveOr => (BinaryOp::Xor, false),
+        Binary::ShiftLeft => (BinaryOp::ShiftLeft, false),
+        Binary::ShiftRight => {
+            (of(BinaryOp::ShiftRight, BinaryOp::ShiftRight, BinaryOp::UintShiftRight), false)
+        }
     })
 }

@@ -2,10 +2,11 @@
 
 use naga::{Block, Handle, Statement};
 
-use super::allot::allot;
-use super::simplify::simplify;
+use super::copy_prop::copy_prop;
+use super::dce::dce;
+use super::regalloc::regalloc;
 use super::{Body, Lowering, Result, SHARED, unsupported};
-use crate::sketch::program::{Function, Reg};
+use crate::program::{Function, Reg};
 
 impl<'m> Lowering<'m> {
     /// All functions, and at last the entry point.
@@ -63,9 +64,10 @@ impl<'m> Lowering<'m> {
         self.block(&mut body, &function.body, &mut nodes)?;
         self.flush(&mut nodes);
         let own = first + size..self.next;
-        simplify(&mut self.program.ops, &mut nodes, own.clone());
+        copy_prop(&mut self.program.ops, &mut nodes, own.end);
+        dce(&mut self.program.ops, &mut nodes, own.clone());
         self.flushed = self.program.ops.len();
-        let end = allot(&mut self.program.ops, &mut nodes, own);
+        let end = regalloc(&mut self.program.ops, &mut nodes, own);
         self.program.functions.push(Function { body: nodes, arguments, results });
         self.ends.push(end);
         Ok(())

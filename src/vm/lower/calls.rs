@@ -4,8 +4,8 @@ use naga::{Expression, Function, Handle, Type, TypeInner};
 
 use super::functions::is_straight;
 use super::{Body, Lowering, Result};
-use crate::sketch::lanes::One;
-use crate::sketch::program::{Node, Reg};
+use crate::op::UnaryOp;
+use crate::program::{Node, Reg};
 
 impl<'m> Lowering<'m> {
     /// What `function` returns where `body` calls it.
@@ -46,7 +46,7 @@ impl<'m> Lowering<'m> {
             both.for_each(|(to, a)| self.copy(*to, a));
             self.leave(nodes, Node::Call(function.index()));
             // The next call of the function leaves its own there.
-            (results.into_iter().map(|a| self.one(One::Copy, a)).collect(), parameters)
+            (results.into_iter().map(|a| self.emit_unary(UnaryOp::Copy, a)).collect(), parameters)
         };
         for (argument, place) in places {
             self.store(&place, left[argument].clone(), body.depth)?;
