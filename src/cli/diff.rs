@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::args::{DiffFormat, DiffOptions};
-use super::render::with_progress;
+use super::progress::with_progress;
 use super::scene::{bytes, origin};
 use super::{Failure, Result, print_report, print_result, write_output};
 use crate::compile::{Compiled, compile};

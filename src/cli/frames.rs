@@ -4,7 +4,8 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::args::RenderOptions;
-use super::render::{compiled, shot, with_progress};
+use super::progress::with_progress;
+use super::shot::{compiled, shot};
 use super::stats::Stats;
 use super::words::LONGEST_TIME;
 use super::{Failure, Result, print_report, write_output};

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::render::with_progress;
+use super::progress::with_progress;
 use super::{Failure, Result, print_report, write_output};
 use crate::capture::jpeg;
 use crate::compile::compile;

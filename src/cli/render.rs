@@ -1,24 +1,20 @@
 //! `raytoy render`: scenes to picture files.
 
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
-
-use indicatif::{ProgressBar, ProgressStyle};
+use std::time::Duration;
 
 use super::args::RenderOptions;
+use super::progress::with_progress;
+use super::shot::{compiled, shot, shows_numbers};
 use super::stats::Stats;
 use super::{Failure, Result, frames, print_report, write_output};
 use crate::capture::{self, CaptureError, Format, MovieFormat, SAMPLE, Shot};
-use crate::compile::Compiled;
 use crate::diagnostic::{Diagnostic, Report};
 use crate::files::write_file_with;
-use crate::frame::{Moment, Split, View};
+use crate::frame::Moment;
 use crate::gpu::Gpu;
-use crate::ir::Measure;
 use crate::sketch::canary::{self, Doubt};
 use crate::suite::is_settings;
-use crate::wgsl::Mode;
 
 /// A picture must not wait longer for the question whether it is right.
 const MAX_FOR_DOUBTS: Duration = Duration::from_millis(200);
@@ -58,38 +54,6 @@ pub fn run(options: &RenderOptions) -> Result {
         write_output(path, Stats::json(&all).as_bytes())?;
     }
     if wrong { Err(Failure::Scene) } else { Ok(()) }
-}
-
-/// Whether the view `value` is to be seen.
-fn shows_numbers(options: &RenderOptions) -> bool {
-    options.view == View::Value || options.split == Some(View::Value)
-}
-
-/// The scene as the options ask for it, with the number that the view `value` shows, if it is to be seen.
-pub fn compiled(options: &RenderOptions, scene: &PathBuf) -> Result<Compiled> {
-    let disk = super::disk(&options.root, [scene])?;
-    let mode = if options.live { Mode::Live } else { Mode::Baked };
-    let compiled = super::compiled(&disk, scene, mode)?;
-    if !shows_numbers(options) {
-        return Ok(compiled);
-    }
-    let name = options.value.as_deref().unwrap_or("pattern");
-    let Some(measure) = Measure::named(&compiled.scene, name) else {
-        let known = Measure::ALL.iter().map(|(known, _)| *known);
-        let declared = compiled.scene.textures.iter().map(|texture| texture.name.as_str());
-        let names: Vec<&str> = known.chain(declared).collect();
-        let message = format!("`{}` has no value `{name}`: it has {}", compiled.scene.name, names.join(", "));
-        return Err(Failure::Call(message));
-    };
-    compiled.measuring(measure).map_err(|problem| Failure::Call(problem.message))
-}
-
-/// What the options ask for.
-pub fn shot<'a>(options: &RenderOptions, gpu: &'a Gpu, compiled: &'a Compiled) -> Shot<'a> {
-    let RenderOptions { view, time, reach, split_at: at, .. } = *options;
-    let split = options.split.map(|view| Split { view, at });
-    let moment = Moment { view, split, reach, time, ..Moment::of(&compiled.scene) };
-    Shot { gpu, compiled, moment, size: options.size, samples: options.samples }
 }
 
 /// Where the picture of each scene goes.
@@ -156,22 +120,4 @@ fn doubtful(shot: &Shot<'_>, doubt: Doubt) -> Diagnostic {
             shot.gpu.describe()
         ))
         .help("a texture or shape with too many branches can cause this; `raytoy check` reports it")
-}
-
-/// Shows a bar on the terminal once the work takes longer than a person likes to wait. It always goes on.
-pub fn with_progress<T>(name: &str, work: impl FnOnce(&mut dyn FnMut(f32) -> ControlFlow<()>) -> T) -> T {
-    let style =
-        ProgressStyle::with_template("{msg} [{bar:40}] {percent}%, {eta} left").expect("a valid template");
-    let bar = ProgressBar::hidden().with_style(style.progress_chars("=> ")).with_message(name.to_owned());
-    bar.set_length(1000);
-    let start = Instant::now();
-    let done = work(&mut |share| {
-        if start.elapsed() > Duration::from_millis(500) && bar.is_hidden() {
-            bar.set_draw_target(indicatif::ProgressDrawTarget::stderr());
-        }
-        bar.set_position((share * 1000.0) as u64);
-        ControlFlow::Continue(())
-    });
-    bar.finish_and_clear();
-    done
 }

@@ -1,7 +1,7 @@
 //! `raytoy test`: an author's scenes beside their goldens, textures and shapes before their laws.
 
 use super::args::{TestFormat, TestOptions};
-use super::render::with_progress;
+use super::progress::with_progress;
 use super::{Failure, Result, print_result, write_output};
 use crate::gpu::{AdapterChoice, Gpu, GpuError};
 use crate::sources::Sources;

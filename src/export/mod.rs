@@ -96,7 +96,7 @@ pub fn export(compiled: &Compiled, language: Language) -> Result<Export, ExportE
     let write = || {
         let alone = Standalone::new(scene, host)?;
         let shader = match language {
-            Language::Wgsl => standalone::wgsl(scene, &alone).into_bytes(),
+            Language::Wgsl => native::wgsl(scene, &alone).into_bytes(),
             Language::Glsl => shadertoy::glsl(scene, &alone)?.into_bytes(),
             Language::Spirv => native::spirv(&alone)?,
             Language::Msl => native::msl(scene, &alone)?.into_bytes(),

@@ -1,6 +1,6 @@
-//! A scene for the drivers of each system, by naga's writers.
+//! A scene for WebGPU as it is, and for the drivers of each system by naga's writers.
 //!
-//! In: a module by itself. Out: SPIR-V, or text in the languages of Metal and Direct3D.
+//! In: a module by itself. Out: WGSL, SPIR-V, or text in the languages of Metal and Direct3D.
 
 use std::collections::BTreeMap;
 
@@ -18,6 +18,11 @@ StructuredBuffer<uint> nagaGroup1SamplerIndexArray : register(t1, space255);
 static const SamplerState imageSampler = nagaSamplerHeap[nagaGroup1SamplerIndexArray[0]];
 ";
 const OWN_SAMPLER: &str = "SamplerState imageSampler : register(s0, space1);\n";
+
+/// The module as text, which opens with how to draw it.
+pub fn wgsl(scene: &Scene, alone: &Standalone) -> String {
+    head::standalone(scene, alone, &head::WGSL) + &alone.source.text()
+}
 
 /// For Vulkan. The bindings are those of the WGSL.
 pub fn spirv(Standalone { module, info, .. }: &Standalone) -> Result<Vec<u8>, ExportError> {

@@ -5,8 +5,8 @@
 use naga::compact::{KeepUnused, compact};
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
+use super::ExportError;
 use super::beside::Beside;
-use super::{ExportError, head};
 use crate::frame::{FrameUniforms, Moment};
 use crate::ir::Scene;
 use crate::library::Const;
@@ -20,11 +20,6 @@ pub struct Standalone {
     pub module: naga::Module,
     pub info: ModuleInfo,
     pub beside: Beside,
-}
-
-/// The module as text, which opens with how to draw it.
-pub fn wgsl(scene: &Scene, alone: &Standalone) -> String {
-    head::standalone(scene, alone, &head::WGSL) + &alone.source.text()
 }
 
 impl Standalone {

@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use super::GpuError;
+use super::error::GpuError;
 
 /// Which of the machine's adapters to take.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use super::adapters::{AdapterChoice, find_adapter};
-use crate::diagnostic::Report;
+use super::error::GpuError;
 
 /// A device with its queue. Clones share both.
 #[derive(Clone, Debug)]
@@ -18,39 +18,6 @@ pub struct Gpu {
     /// What went wrong outside of all error scopes, until somebody asks.
     trouble: Arc<Mutex<Option<GpuError>>>,
 }
-
-/// Why something on the GPU did not work.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum GpuError {
-    /// There is no adapter of the wanted kind: what there is instead, or what to do about it.
-    NoAdapter(String),
-    /// The driver refused, or the scene needs more than it has.
-    Refused(String),
-    /// The device is gone or does not answer.
-    Lost(String),
-    /// raytoy itself is wrong: it has not guarded the loop of the author's at this place.
-    Unguarded(String),
-    /// A loop of the author's did not end by itself: which.
-    Endless(Report),
-}
-
-impl std::fmt::Display for GpuError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            GpuError::NoAdapter(why) => f.write_str(why),
-            GpuError::Refused(why) => write!(f, "the GPU's driver refuses: {why}"),
-            GpuError::Lost(why) => write!(f, "the GPU does not respond: {why}"),
-            GpuError::Unguarded(place) => write!(
-                f,
-                "internal error: the loop at {place} has no guard, and could keep the GPU for ever; \
-                 please report this, with that file"
-            ),
-            GpuError::Endless(report) => write!(f, "{report}"),
-        }
-    }
-}
-
-impl std::error::Error for GpuError {}
 
 /// A device that has not answered for this long will not.
 const PATIENCE: Duration = Duration::from_secs(60);

@@ -8,6 +8,7 @@ mod assets;
 mod batches;
 mod device;
 mod display;
+mod error;
 pub mod gizmo;
 mod guard;
 mod identity;
@@ -22,8 +23,9 @@ mod slices;
 mod tracer;
 
 pub use adapters::{AdapterChoice, ask_no_absent_display};
-pub use device::{Gpu, GpuError, prefer_quick_compiles};
+pub use device::{Gpu, prefer_quick_compiles};
 pub use display::{Display, Light, Target};
+pub use error::GpuError;
 pub use identity::{Identity, Seen, Survey};
 pub use image::{MAX_SIDE, Picture, PictureTimes, Renderer, render};
 pub use lines::{Line, Lines};

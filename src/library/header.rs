@@ -3,42 +3,21 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::declarations::{Declaration, Declared, Signature, declarations};
+use super::declarations::{Declaration, Declared, Signature};
 use super::doc_line::doc_line;
 use super::function::Traits;
-use super::lexer::{Token, Tokens, ends_line, is_name_part, tokens};
-use super::{Family, Function, Kind, Parameter, Type, function, unfit};
+use super::lexer::{Token, Tokens, ends_line, is_name_part};
+use super::{Family, Function, Kind, Parameter, Type, function};
 use crate::diagnostic::{Diagnostic, Place};
 
-/// Reads the file called `file`, whose stem names its function.
-///
-/// # Errors
-/// All that breaks the contract of LANGUAGE.md; errors of WGSL itself are naga's to find.
-pub fn read(family: Family, file: &str, text: &Arc<str>) -> Result<Function, Vec<Diagnostic>> {
-    let stem = file.rsplit('/').next().unwrap_or(file).trim_end_matches(".wgsl");
-    let tokens = tokens(text);
-    let declarations = declarations(&tokens);
-    let wgsl_name = function::wgsl_name_of(stem);
-    let header = Header { family, file, text, wgsl_name, tokens, declarations };
-    let mut problems = unfit::problems(&header);
-    if !problems.is_empty() {
-        return Err(problems);
-    }
-    problems = header.misnamed_helpers();
-    let function = header.function(function::name_of(stem), &mut problems);
-    match function {
-        Some(function) if problems.is_empty() => Ok(function),
-        _ => Err(problems),
-    }
-}
-
+/// A file of WGSL as its tokens and declarations.
 pub struct Header<'a> {
     pub family: Family,
     pub wgsl_name: String,
     pub tokens: Tokens<'a>,
     pub declarations: Vec<Declaration<'a>>,
-    file: &'a str,
-    text: &'a Arc<str>,
+    pub file: &'a str,
+    pub text: &'a Arc<str>,
 }
 
 impl<'a> Header<'a> {
@@ -46,7 +25,7 @@ impl<'a> Header<'a> {
         Place { file: self.file.into(), span }
     }
 
-    fn function(&self, name: String, problems: &mut Vec<Diagnostic>) -> Option<Function> {
+    pub fn function(&self, name: String, problems: &mut Vec<Diagnostic>) -> Option<Function> {
         let of_ray = self.signature(&self.wgsl_name);
         let main = of_ray.or_else(|| self.distance_signature());
         let Some(signature) = main else {
@@ -199,7 +178,7 @@ impl<'a> Header<'a> {
     }
 
     /// All snippets of a scene share one WGSL module, so helpers carry their function's name.
-    fn misnamed_helpers(&self) -> Vec<Diagnostic> {
+    pub fn misnamed_helpers(&self) -> Vec<Diagnostic> {
         if self.signature(&self.wgsl_name).is_none() && !self.is_distance() {
             return vec![];
         }

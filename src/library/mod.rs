@@ -4,6 +4,7 @@
 
 mod color;
 mod condition;
+mod condition_line;
 mod declarations;
 mod doc_line;
 mod function;
@@ -11,6 +12,7 @@ mod header;
 pub mod knot;
 mod lexer;
 mod mixing;
+mod read;
 pub mod sample;
 mod shape;
 mod taken;
@@ -102,7 +104,7 @@ impl<'a> Library<'a> {
             return known.clone().map_err(|_| Some(vec![]));
         }
         let read = match self.locate(family, name) {
-            Ok(Some((file, text))) => header::read(family, &file, &text).map(Arc::new),
+            Ok(Some((file, text))) => read::read(family, &file, &text).map(Arc::new),
             Ok(None) => return Err(None),
             Err(problem) => Err(vec![problem]),
         };

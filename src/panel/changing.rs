@@ -6,9 +6,9 @@ use std::path::Path;
 
 use glam::{DVec3, Vec3};
 
-use super::inspector::with_library;
 use crate::edit::{Edit, NewValue};
 use crate::ir::placed;
+use crate::library::Library;
 use crate::outline::{Becoming, Control, Field, Node, NodeKind, Role, becoming};
 use crate::sources::Disk;
 
@@ -97,4 +97,10 @@ fn mean(points: &[Vec3]) -> Vec3 {
 /// In digits that a person would write.
 fn written(point: DVec3) -> NewValue {
     NewValue::Vector(point.to_array().map(|x| ((x * 1e4).round() / 1e4) as f32).to_vec())
+}
+
+/// Asks for what `scene` can name.
+pub fn with_library<T>(disk: &Disk, scene: &Path, ask: impl FnOnce(&Library<'_>) -> T) -> T {
+    let sources = disk.sources();
+    ask(&Library::new(&sources, scene.parent().unwrap_or(Path::new(""))))
 }

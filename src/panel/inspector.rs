@@ -5,10 +5,10 @@ use std::path::Path;
 
 use egui::{RichText, Ui};
 
+use super::changing::with_library;
 use super::fields::Fields;
 use super::tree::Tree;
 use super::{Actions, Panel, changing, picking, widgets};
-use crate::library::Library;
 use crate::outline::{self, Field, Node, NodeKind, Role};
 use crate::sources::Disk;
 
@@ -157,10 +157,4 @@ pub fn example(disk: &Disk, scene: &Path, role: Role, name: &str) -> Result<Stri
             None => Ok(outline::example(role, name, library).unwrap_or_else(|| format!("{name}()"))),
         }
     })
-}
-
-/// Asks for what `scene` can name.
-pub fn with_library<T>(disk: &Disk, scene: &Path, ask: impl FnOnce(&Library<'_>) -> T) -> T {
-    let sources = disk.sources();
-    ask(&Library::new(&sources, scene.parent().unwrap_or(Path::new(""))))
 }
