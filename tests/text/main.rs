@@ -7,6 +7,7 @@ mod shared_models;
 
 mod broken_scenes;
 mod changes;
+mod circles;
 mod cli;
 mod diff;
 mod edit;
