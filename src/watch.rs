@@ -2,6 +2,8 @@
 //!
 //! In: what a compilation asked [`crate::sources::Sources`] for. Out: a call when any of it is no longer so.
 
+mod seen;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -10,6 +12,7 @@ use std::time::{Duration, Instant};
 use notify::event::{AccessKind, AccessMode, EventKind, ModifyKind, RenameMode};
 use notify::{RecommendedWatcher, RecursiveMode, Watcher as _};
 
+pub use self::seen::Seen;
 use crate::sources::{Answer, Sources};
 
 /// Files are read once they have been left alone for this long.
@@ -52,23 +55,27 @@ impl Watcher {
 
 fn run(receiver: &Receiver<Message>, events: Sender<Message>, changed: &dyn Fn()) {
     let mut folders = Folders::new(events);
-    let mut asked: Option<Asked> = None;
+    let mut seen: Option<Seen> = None;
     loop {
         match receiver.recv_timeout(POLL_INTERVAL) {
             Ok(Message::Watch(new)) => {
+                let new = Seen::new(new);
                 folders.follow(&new);
-                asked = Some(new);
+                seen = Some(new);
             }
             Ok(Message::Stirred(quiet)) => {
-                asked = wait_for_quiet(receiver, quiet).or(asked);
-                // A folder that was missing may be there now, and will get its files later.
-                asked.iter().for_each(|asked| folders.follow(asked));
+                seen = wait_for_quiet(receiver, quiet).map(Seen::new).or(seen);
+                if let Some(seen) = &mut seen {
+                    seen.distrust();
+                    // A folder that was missing may be there now, and will get its files later.
+                    folders.follow(seen);
+                }
             }
             Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) => return,
         }
-        if asked.as_ref().is_some_and(differs) {
-            asked = None;
+        if seen.as_mut().is_some_and(|seen| seen.differs(&read)) {
+            seen = None;
             changed();
         }
     }
@@ -88,15 +95,9 @@ fn wait_for_quiet(receiver: &Receiver<Message>, mut quiet: Duration) -> Option<A
     next
 }
 
-/// Whether the disk holds anything else than what was answered.
-fn differs(asked: &Asked) -> bool {
-    let sources = Sources::on_disk(Path::new("/"));
-    asked.iter().any(|(path, answer)| is_file(path) && sources.read(path) != *answer)
-}
-
-/// Standard input, which is called `-`, does not change.
-fn is_file(path: &Path) -> bool {
-    path.file_name().is_some_and(|name| name != "-")
+/// What is at `path` now.
+fn read(path: &Path) -> Answer {
+    Sources::on_disk(Path::new("/")).read(path)
 }
 
 /// The folders under watch. Files are never watched: a watch on a file dies with the first save by rename.
@@ -122,12 +123,11 @@ impl Folders {
         Self { watcher: notify::recommended_watcher(on_event).ok(), watched: BTreeSet::new() }
     }
 
-    fn follow(&mut self, asked: &Asked) {
+    fn follow(&mut self, seen: &Seen) {
         let Some(watcher) = &mut self.watcher else { return };
         // A file that is missing, in a folder that is missing, shows in the nearest folder that is there.
         let there = |path: &Path| path.ancestors().skip(1).find(|folder| folder.is_dir()).map(Path::to_owned);
-        let wanted: BTreeSet<PathBuf> =
-            asked.keys().filter(|p| is_file(p)).filter_map(|p| there(p)).collect();
+        let wanted: BTreeSet<PathBuf> = seen.paths().filter_map(there).collect();
         for folder in self.watched.difference(&wanted) {
             // It may be gone, and its watch with it.
             let _ = watcher.unwatch(folder);

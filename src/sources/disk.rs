@@ -35,27 +35,23 @@ pub(super) const MAX_BYTES: u64 = 1 << 30;
 pub(super) fn read_file(path: &Path, most: u64) -> Answer {
     // Pipes and devices may never end, or keep whoever opens them.
     let refusal = match std::fs::metadata(path) {
-        Ok(found) if found.is_dir() => Some("it is a folder".into()),
-        Ok(found) if !found.is_file() => Some("it is a pipe or a device, not a file".into()),
-        Ok(found) if found.len() > most => Some(too_large(most)),
+        Ok(found) if found.is_dir() => Some("it is a folder"),
+        Ok(found) if !found.is_file() => Some("it is a pipe or a device, not a file"),
+        Ok(found) if found.len() > most => return Answer::TooLarge(most),
         _ => None,
     };
     if let Some(why) = refusal {
-        return Answer::Unreadable(why);
+        return Answer::Unreadable(why.into());
     }
     let mut bytes = vec![];
     match std::fs::File::open(path).and_then(|file| file.take(most + 1).read_to_end(&mut bytes)) {
-        Ok(_) if bytes.len() as u64 > most => Answer::Unreadable(too_large(most)),
+        Ok(_) if bytes.len() as u64 > most => Answer::TooLarge(most),
         Ok(_) => match String::from_utf8(bytes) {
             Ok(text) => Answer::Text(text.into()),
             Err(e) => Answer::Binary(e.into_bytes().into()),
         },
         Err(error) => unread(&error),
     }
-}
-
-fn too_large(most: u64) -> String {
-    format!("it is larger than {} MiB", most >> 20)
 }
 
 pub(super) fn unread(error: &io::Error) -> Answer {

@@ -37,6 +37,8 @@ pub enum Answer {
     Binary(Arc<[u8]>),
     Missing,
     Unreadable(String),
+    /// It has more than this many bytes.
+    TooLarge(u64),
     /// It lies outside of the scene's root, and nobody has looked at it.
     Outside,
 }
@@ -146,6 +148,10 @@ impl Sources {
             }
             Answer::Missing => Err(Diagnostic::error(format!("there is no file `{name}`"))),
             Answer::Unreadable(why) => Err(Diagnostic::error(format!("cannot read `{name}`: {why}"))),
+            Answer::TooLarge(limit) => {
+                let why = format!("it is larger than {} MiB", limit >> 20);
+                Err(Diagnostic::error(format!("cannot read `{name}`: {why}")))
+            }
             Answer::Outside => Err(Diagnostic::error("this file is outside of the scene's root folder")),
         }
     }

@@ -25,3 +25,4 @@ mod reading;
 mod root;
 mod settings;
 mod tidy;
+mod watch;
