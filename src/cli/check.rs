@@ -1,6 +1,6 @@
 //! `raytoy check`: all mistakes of scenes and snippets, in both number modes.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::args::CheckOptions;
 use super::{Failure, Result, print_report, sources_for};
@@ -8,15 +8,17 @@ use crate::compile::{Outcome, compile};
 use crate::diagnostic::Report;
 use crate::library::{Family, Library, knot, name_of, sample};
 use crate::sources::{Disk, Sources};
-use crate::suite::is_settings;
+use crate::suite::{Walk, is_settings, kind_of};
 use crate::wgsl::Mode;
 
 pub fn run(options: &CheckOptions) -> Result {
     let disk = super::disk(&options.root, &options.paths)?;
+    let mut walk = Walk::default();
     let mut files = vec![];
     for path in &options.paths {
         if path.is_dir() {
-            collect(path, &mut files)?;
+            let found = walk.files_below(path).map_err(Failure::Call)?;
+            files.extend(found.into_iter().filter(|file| kind_of(file).is_some()));
         } else if is_settings(path) {
             // `raytoy test` reads them.
             continue;
@@ -47,28 +49,6 @@ pub fn run(options: &CheckOptions) -> Result {
             Err(Failure::Scene)
         }
     }
-}
-
-/// The scenes and snippets below `folder`, sorted.
-fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> Result {
-    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder)?.flatten().map(|entry| entry.path()).collect();
-    entries.sort();
-    for path in entries {
-        let hidden = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
-        if path.is_dir() && !hidden {
-            collect(&path, files)?;
-        } else if path.extension().is_some_and(|e| e == "ron") && !is_settings(&path) || is_snippet(&path) {
-            files.push(path);
-        }
-    }
-    Ok(())
-}
-
-/// Whether `path` is a texture's or a shape's file.
-fn is_snippet(path: &Path) -> bool {
-    let folder = path.parent().and_then(Path::file_name);
-    let is_family = folder.is_some_and(|f| f == "textures" || f == "shapes");
-    path.extension().is_some_and(|e| e == "wgsl") && is_family
 }
 
 fn check(disk: &Disk, file: &Path) -> Result<Outcome> {

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::settings::{OF_FOLDER, is_settings};
+use super::walk::Walk;
 use crate::library::Family;
 use crate::sources::Sources;
 
@@ -28,10 +29,17 @@ pub enum CaseKind {
 /// # Errors
 /// Which path is not there, or no case.
 pub fn find(sources: &Sources, paths: &[PathBuf]) -> Result<Vec<Case>, String> {
+    let mut walk = Walk::default();
     let mut found = vec![];
     for path in paths {
         if path.is_dir() {
-            collect(path, &mut found)?;
+            for file in walk.files_below(path)? {
+                if let Some(kind) = kind_of(&file) {
+                    found.push((file, kind));
+                } else if is_settings(&file) && file.file_name().is_some_and(|name| name != OF_FOLDER) {
+                    refuse_stray(&file)?;
+                }
+            }
         } else if !path.exists() {
             return Err(format!("there is no file or folder `{}`", path.display()));
         } else if let Some(kind) = kind_of(path) {
@@ -41,8 +49,7 @@ pub fn find(sources: &Sources, paths: &[PathBuf]) -> Result<Vec<Case>, String> {
         }
     }
     let case = |(path, kind): (PathBuf, CaseKind)| {
-        // Messages show the path as one would type it.
-        let path = path.strip_prefix(".").map_or(path.clone(), Path::to_path_buf);
+        let path = shown(&path);
         Case { name: sources.name(&path), path, kind }
     };
     let mut cases: Vec<Case> = found.into_iter().map(case).collect();
@@ -51,24 +58,9 @@ pub fn find(sources: &Sources, paths: &[PathBuf]) -> Result<Vec<Case>, String> {
     Ok(cases)
 }
 
-fn collect(folder: &Path, found: &mut Vec<(PathBuf, CaseKind)>) -> Result<(), String> {
-    let unreadable = |error| format!("cannot read `{}`: {error}", folder.display());
-    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
-        let entry = entry.map_err(unreadable)?;
-        let path = entry.path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        // A link to a folder may lead back to where it is.
-        if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
-            if !name.starts_with('.') && name != "target" {
-                collect(&path, found)?;
-            }
-        } else if let Some(kind) = kind_of(&path) {
-            found.push((path, kind));
-        } else if is_settings(&path) && name != OF_FOLDER {
-            refuse_stray(&path)?;
-        }
-    }
-    Ok(())
+/// `path` as one would type it.
+pub(super) fn shown(path: &Path) -> PathBuf {
+    path.strip_prefix(".").unwrap_or(path).to_path_buf()
 }
 
 /// # Errors
@@ -83,7 +75,8 @@ fn refuse_stray(path: &Path) -> Result<(), String> {
     Err(format!("`{name}` contains the settings of a test, but there is no scene `{stem}.ron`"))
 }
 
-fn kind_of(path: &Path) -> Option<CaseKind> {
+/// How the file at `path` is tested; None where it is not.
+pub fn kind_of(path: &Path) -> Option<CaseKind> {
     let folder = path.parent().and_then(Path::file_name).unwrap_or_default();
     match path.extension()?.to_str()? {
         "ron" if !is_settings(path) => Some(CaseKind::Scene),

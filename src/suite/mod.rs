@@ -11,14 +11,16 @@ mod report;
 mod scene;
 mod settings;
 mod snippet;
+mod walk;
 
-pub use cases::{Case, CaseKind, find};
+pub use cases::{Case, CaseKind, find, kind_of};
 pub use goldens::Goldens;
 pub use jobs::by_devices;
 pub use outcome::{Failure, Outcome};
 pub use report::{Run, html, human, json, junit};
 pub use scene::Bench;
 pub use settings::{Settings, is_settings};
+pub use walk::Walk;
 
 use crate::gpu::Gpu;
 

@@ -2,6 +2,7 @@
 
 use std::process::Output;
 
+use crate::common::folder::Folder;
 use crate::common::program::{command, raytoy, stderr, with_input};
 use crate::common::{check_text, expect_none, files};
 
@@ -25,6 +26,40 @@ fn a_right_scene_is_0_a_wrong_one_1_a_wrong_call_2() {
     ] {
         assert_eq!(code(call), Some(2), "{call:?}");
     }
+}
+
+#[cfg(unix)]
+#[test]
+fn folders_are_walked_by_links_too_and_each_of_them_once() {
+    let folder = Folder::new();
+    let scene = "(objects: [Sphere()])";
+    for name in ["project/scenes/a.ron", "project/target/b.ron", "project/.hidden/c.ron", "shared/d.ron"] {
+        folder.write(name, scene);
+    }
+    folder.write("shared/textures/e.wgsl", "fn e(at: Surface) -> f32 { return 1.0; }");
+    // Out and in, around in a circle, a second way to what is there, and nowhere.
+    for (to, at) in [
+        ("../../shared", "scenes/linked"),
+        ("..", "scenes/up"),
+        ("scenes", "also"),
+        ("../project/scenes", "../shared/back"),
+        ("nowhere", "dangling"),
+        ("circle", "circle"),
+    ] {
+        std::os::unix::fs::symlink(to, folder.path().join("project").join(at)).expect("it is writable");
+    }
+    let run = |arguments: &[&str]| {
+        let mut command = folder.command(arguments);
+        command.current_dir(folder.path().join("project")).output().expect("raytoy runs")
+    };
+    let names = "scenes/a.ron\nscenes/linked/d.ron\nscenes/linked/textures/e.wgsl\n";
+    for paths in [&[][..], &["."], &["scenes"], &["scenes", "scenes/up"]] {
+        assert_eq!(stdout(&run(&[&["test", "--list"], paths].concat())), names, "{paths:?}");
+    }
+    assert_eq!(stdout(&run(&["test", "--list", "also"])), names.replace("scenes/", "also/"));
+    assert_eq!(stderr(&run(&["check", "."])), "3 files checked, no mistakes\n");
+    folder.write("shared/d.ron", "(objects: [Spere()])");
+    assert!(stderr(&run(&["check", "."])).contains("┌─ scenes/linked/d.ron:1:12"));
 }
 
 #[test]
