@@ -195,8 +195,8 @@ pub struct GenerateOptions {
 #[derive(Args)]
 #[command(after_help = "\
 A golden is a stored result that a person has looked at. A scene x.ron has two beside it: x.wgsl,
-the shader, and x.png, a small picture. Textures and shapes need none. The file x.test.ron sets
-size, samples and limits of a test.
+the shader, and x.png, a small picture. The file x.test.ron sets size, samples and limits of a test.
+Goldens of a scene that no longer exists fail, and --bless removes them.
 
 Examples:
   raytoy test                           all scenes, textures and shapes below this folder

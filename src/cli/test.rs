@@ -5,27 +5,29 @@ use super::progress::with_progress;
 use super::{Failure, Result, print_result, write_output};
 use crate::gpu::{AdapterChoice, Gpu, GpuError};
 use crate::sources::Sources;
-use crate::suite::{self, Bench, Case, Goldens, Run};
+use crate::suite::{self, Bench, Case, Goldens, Gone, Run};
 
 pub fn run(options: &TestOptions) -> Result {
     let disk = super::disk(&options.root, &options.paths)?;
-    let cases = chosen(options, &disk.sources())?;
-    if options.list {
-        return print_result(&cases.iter().map(|case| format!("{}\n", case.name)).collect::<String>());
-    }
     let named = match &options.adapter {
         Some(AdapterChoice::Named(name)) => Some(name.clone()),
         _ => None,
     };
     let goldens = Goldens { folder: options.goldens.clone(), adapter: named };
+    let (cases, gone) = chosen(options, &disk.sources(), &goldens)?;
+    if options.list {
+        return print_result(&cases.iter().map(|case| format!("{}\n", case.name)).collect::<String>());
+    }
     let bench = Bench { disk, goldens, bless: options.bless.is_some() };
     let devices = devices(options, cases.len())?;
     let count = cases.len() as f32;
-    let outcomes = with_progress("testing", |progress| {
+    let mut outcomes = with_progress("testing", |progress| {
         suite::run(&bench, &devices, &cases, &mut |done| {
             let _ = progress(done as f32 / count);
         })
     });
+    outcomes.extend(gone.into_iter().map(|gone| gone.outcome(bench.bless)));
+    outcomes.sort_by(|a, b| a.case.name.cmp(&b.case.name));
     let run = Run { outcomes, adapter: devices[0].describe(), call: call(options) };
     if let Some(path) = &options.report {
         write_output(path, suite::html(&run).as_bytes())?;
@@ -39,22 +41,25 @@ pub fn run(options: &TestOptions) -> Result {
     if run.failed() > 0 { Err(Failure::Scene) } else { Ok(()) }
 }
 
-/// The cases under the paths whose names have what `--filter` and `--bless` ask for.
-fn chosen(options: &TestOptions, sources: &Sources) -> Result<Vec<Case>> {
+/// The cases under the paths whose names have what `--filter` and `--bless` ask for, and those of which there
+/// are only goldens.
+fn chosen(options: &TestOptions, sources: &Sources, goldens: &Goldens) -> Result<(Vec<Case>, Vec<Gone>)> {
     let mut cases = suite::find(sources, &options.paths).map_err(Failure::Call)?;
-    if cases.is_empty() {
+    let mut gone = suite::find_gone(sources, goldens, &options.paths).map_err(Failure::Call)?;
+    if cases.is_empty() && gone.is_empty() {
         return Err(Failure::Call(
             "there is nothing to test: no scenes, textures or shapes were found".into(),
         ));
     }
     for filter in [&options.filter, &options.bless].into_iter().flatten() {
         cases.retain(|case| case.name.contains(filter.as_str()));
-        if cases.is_empty() {
+        gone.retain(|gone| gone.case.name.contains(filter.as_str()));
+        if cases.is_empty() && gone.is_empty() {
             let advice = "`raytoy test --list` prints the names";
             return Err(Failure::Call(format!("no test has `{filter}` in its name; {advice}")));
         }
     }
-    Ok(cases)
+    Ok((cases, gone))
 }
 
 /// More devices than this only keep each other from the processors.

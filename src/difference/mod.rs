@@ -16,4 +16,4 @@ pub use picture::{Drawing, PictureDifference, png, rgb};
 pub use report::{human, json, page};
 pub use scene::SceneDifference;
 pub use shader::ShaderDifference;
-pub use text::{Hunk, TextDifference, with_origin_of};
+pub use text::{Hunk, TextDifference, scene_of, with_origin_of};

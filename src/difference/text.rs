@@ -129,13 +129,19 @@ impl Hunk {
 /// `golden` with the first line of `actual`: that names the scene's file, which may be another one, or the
 /// same one from another folder.
 pub fn with_origin_of(actual: &str, golden: &str) -> String {
-    let is_origin = |text: &str| text.starts_with("// Generated from ");
     match (actual.split_once('\n'), golden.split_once('\n')) {
-        (Some((origin, _)), Some((other, rest))) if is_origin(origin) && is_origin(other) => {
+        (Some((origin, _)), Some((_, rest)))
+            if [actual, golden].iter().all(|text| scene_of(text).is_some()) =>
+        {
             format!("{origin}\n{rest}")
         }
         _ => golden.to_owned(),
     }
+}
+
+/// The file of the scene that a text was generated from, as its first line names it.
+pub fn scene_of(text: &str) -> Option<&str> {
+    text.lines().next()?.strip_prefix("// Generated from ")
 }
 
 /// The function that line `at` lies in, and the object whose comment stands above it there.

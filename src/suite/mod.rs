@@ -1,10 +1,11 @@
 //! Tests of an author's own files: scenes beside their goldens, textures and shapes before their laws.
 //!
 //! In: [`Case`]s and devices. Out: [`Outcome`]s, and texts about them for people and programs. The only room
-//! that writes goldens, and only where it is told to bless.
+//! that writes and removes goldens, and only where it is told to bless.
 
 mod cases;
 mod goldens;
+mod gone;
 mod jobs;
 mod outcome;
 mod report;
@@ -15,6 +16,7 @@ mod walk;
 
 pub use cases::{Case, CaseKind, find, kind_of};
 pub use goldens::Goldens;
+pub use gone::{Gone, find_gone};
 pub use jobs::by_devices;
 pub use outcome::{Failure, Outcome};
 pub use report::{Run, html, human, json, junit};

@@ -1,6 +1,6 @@
 //! What came of a test, and what there is to say of it.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::Case;
@@ -19,6 +19,8 @@ pub struct Outcome {
     pub verdict: Option<Verdict>,
     /// Goldens that were blessed, and whether they are new.
     pub written: Vec<(PathBuf, bool)>,
+    /// Goldens that were removed.
+    pub removed: Vec<PathBuf>,
     pub time: Duration,
 }
 
@@ -29,6 +31,8 @@ pub enum Failure {
     Mistakes(String),
     /// A golden that is not there.
     Missing(PathBuf),
+    /// Goldens of a scene that is not there.
+    Gone(Vec<PathBuf>),
     /// A golden that cannot be read, or a driver that refuses: why.
     Obstacle(String),
     Text {
@@ -53,18 +57,30 @@ impl Outcome {
         self.failures.is_empty() && self.skipped.is_none()
     }
 
-    /// What a person would type where the new output is the right one; None where no golden can help.
-    pub fn how_to_bless(&self, call: &str) -> Option<String> {
+    /// When blessing helps, and what a person would type; None where it does not help.
+    pub fn how_to_bless(&self, call: &str) -> Option<[String; 2]> {
         let is_golden = |failure: &Failure| {
             matches!(
                 failure,
                 Failure::Missing(_) | Failure::Text { .. } | Failure::Size { .. } | Failure::Picture { .. }
             )
         };
-        let name = &self.case.name;
-        let name = if name.contains(char::is_whitespace) { format!("'{name}'") } else { name.clone() };
-        self.failures.iter().any(is_golden).then(|| format!("raytoy test {name}{call} --bless"))
+        let name = quoted(&self.case.name);
+        if self.failures.iter().any(|failure| matches!(failure, Failure::Gone(_))) {
+            let there = |folder: &&Path| folder.is_dir() && *folder != Path::new("/");
+            let folder = self.case.path.ancestors().skip(1).find(there).unwrap_or(Path::new("."));
+            let folder = quoted(&folder.to_string_lossy());
+            let when = "to remove them".to_owned();
+            return Some([when, format!("raytoy test {folder}{call} --bless {name}")]);
+        }
+        let command = format!("raytoy test {name}{call} --bless");
+        self.failures.iter().any(is_golden).then(|| ["if the new output is right".to_owned(), command])
     }
+}
+
+/// `name` as a shell takes it.
+fn quoted(name: &str) -> String {
+    if name.contains(char::is_whitespace) { format!("'{name}'") } else { name.to_owned() }
 }
 
 impl Failure {
@@ -73,6 +89,7 @@ impl Failure {
         match self {
             Failure::Mistakes(_) => "mistakes",
             Failure::Missing(_) => "missing",
+            Failure::Gone(_) => "gone",
             Failure::Obstacle(_) => "obstacle",
             Failure::Text { .. } => "text",
             Failure::Size { .. } => "size",
@@ -86,6 +103,11 @@ impl Failure {
         match self {
             Failure::Mistakes(report) => report.trim_end().lines().map(str::to_owned).collect(),
             Failure::Missing(golden) => vec![format!("the golden `{}` is missing", golden.display())],
+            Failure::Gone(goldens) => {
+                let goldens: Vec<String> =
+                    goldens.iter().map(|path| format!("`{}`", path.display())).collect();
+                vec![format!("this scene does not exist, but it has goldens: {}", goldens.join(", "))]
+            }
             Failure::Obstacle(why) => why.lines().map(str::to_owned).collect(),
             Failure::Text { golden, difference } => {
                 let [gone, new] = difference.counts();

@@ -167,6 +167,7 @@ impl Outcome {
             skipped: None,
             verdict: None,
             written: vec![],
+            removed: vec![],
             time: Default::default(),
         }
     }

@@ -297,13 +297,95 @@ fn goldens_that_cannot_be_read_are_said_and_blessed_anew() {
     let Some(project) = Project::blessed() else { return };
     let pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n";
     project.write("scenes/ball.png", pointer);
-    std::fs::write(project.path().join("scenes/ball.wgsl"), [0xff, 0xfe, 0x00]).unwrap();
-    let told = project.test(&["scenes/ball.ron"]);
+    project.write("scenes/ball.wgsl", pointer);
+    let hint = "it is a pointer of Git LFS, not the golden: `git lfs pull` fetches it";
+    let told = said(&project.test(&["scenes/ball.ron"]));
     for golden in ["png", "wgsl"] {
-        assert!(said(&told).contains(&format!("cannot read `scenes/ball.{golden}`")), "{}", said(&told));
+        assert!(told.contains(&format!("cannot read `scenes/ball.{golden}`: {hint}\n")), "{told}");
     }
+    std::fs::write(project.path().join("scenes/ball.wgsl"), [0xff, 0xfe, 0x00]).unwrap();
+    let told = said(&project.test(&["scenes/ball.ron"]));
+    assert!(told.contains("cannot read `scenes/ball.wgsl`: ") && told.matches(hint).count() == 1, "{told}");
     assert!(project.test(&["scenes/ball.ron", "--bless"]).status.success());
     assert!(project.test(&["scenes/ball.ron"]).status.success());
+}
+
+#[test]
+fn goldens_of_scenes_that_are_gone_fail_until_they_are_blessed_away() {
+    let Some(project) = Project::blessed() else { return };
+    let path = |name: &str| project.path().join(name);
+    std::fs::rename(path("scenes/ball.ron"), path("scenes/orb.ron")).unwrap();
+    std::fs::copy(path("scenes/ball.png"), path("scenes/ball.nvidia.png")).unwrap();
+    assert!(project.test(&["scenes/orb.ron", "--bless"]).status.success());
+    let gone = "FAILED   scenes/ball.ron\n    this scene does not exist, but it has goldens: \
+                `scenes/ball.wgsl`, `scenes/ball.nvidia.png`, `scenes/ball.png`\n    \
+                to remove them: raytoy test scenes --bless scenes/ball.ron\n";
+    let rest = "ok       scenes/orb.ron\nok       scenes/textures/pond.wgsl\n2 passed, 1 failed\n";
+    for call in [&[][..], &["scenes"], &["./scenes"]] {
+        let found = project.test(call);
+        assert_eq!((said(&found), found.status.code()), (format!("{gone}{rest}"), Some(1)), "{call:?}");
+    }
+    // Who asks for other tests, or for one scene, hears nothing of it.
+    assert!(project.test(&["scenes/orb.ron"]).status.success());
+    assert!(project.test(&["--filter", "orb"]).status.success());
+    assert_eq!(said(&project.test(&["--list"])), "scenes/orb.ron\nscenes/textures/pond.wgsl\n");
+    let json: serde_json::Value = serde_json::from_str(&said(&project.test(&["--format", "json"]))).unwrap();
+    assert_eq!(json["tests"][0]["failures"][0]["kind"], "gone");
+    assert_eq!(json["tests"][0]["bless"], "raytoy test scenes --bless scenes/ball.ron");
+    let removed = project.test(&["scenes", "--bless", "scenes/ball.ron"]);
+    assert_eq!(
+        said(&removed),
+        "ok       scenes/ball.ron\n    removed scenes/ball.wgsl\n    removed scenes/ball.nvidia.png\n    \
+         removed scenes/ball.png\n1 passed, 0 failed\n"
+    );
+    assert!(project.test(&[]).status.success());
+    assert!(project.has("scenes/orb.wgsl") && project.has("scenes/orb.png"), "those of others stay");
+}
+
+#[test]
+fn files_that_may_be_an_authors_own_are_no_goldens() {
+    let Some(project) = Project::blessed() else { return };
+    // An export, a text of another scene, a shader, a report, pictures without a text and of another size.
+    let text = project.read("scenes/ball.wgsl");
+    project.write("export.wgsl", &said(&project.run(&["generate", "scenes/ball.ron", "--standalone"])));
+    project.write("ball.wgsl", &text);
+    project.write("scenes/renamed.wgsl", &text);
+    project.write("scenes/plain.wgsl", "fn plain() {}\n");
+    project.write("scenes/wrong.txt", "error: no\n  ┌─ scenes/wrong.ron:1:1\n");
+    let picture = project.path().join("scenes/ball.png");
+    std::fs::copy(&picture, project.path().join("scenes/photo.png")).unwrap();
+    assert!(project.test(&[]).status.success(), "{}", said(&project.test(&[])));
+    image::RgbImage::new(32, 24).save(project.path().join("scenes/ball.small.png")).unwrap();
+    // Who draws a scene over its golden has made a picture of it.
+    let call = ["render", "scenes/ball.ron", "--adapter", "software", "--size", "160x120"];
+    assert!(project.run(&[&call[..], &["-o", "scenes/ball.png"]].concat()).status.success());
+    std::fs::remove_file(project.path().join("scenes/ball.ron")).unwrap();
+    std::fs::remove_file(project.path().join("ball.wgsl")).unwrap();
+    assert_eq!(
+        said(&project.test(&["--bless"])),
+        "ok       scenes/ball.ron\n    removed scenes/ball.wgsl\n\
+         ok       scenes/textures/pond.wgsl\n2 passed, 0 failed\n"
+    );
+    for own in ["export.wgsl", "scenes/renamed.wgsl", "scenes/ball.png", "scenes/ball.small.png"] {
+        assert!(project.has(own), "{own}");
+    }
+}
+
+#[test]
+fn a_named_root_widens_what_a_tested_scene_may_name() {
+    let Some(project) = Project::new() else { return };
+    project.write("models/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    project.write("inner/scenes/a.ron", "(objects: [Mesh(file: \"../../models/a.obj\")])");
+    let test = |arguments: &[&str]| {
+        let mut command = project.command(&[&["test", "scenes/a.ron"], arguments].concat());
+        command.current_dir(project.path().join("inner")).output().expect("raytoy runs")
+    };
+    let narrow = said(&test(&["--bless"]));
+    assert!(narrow.contains("this file is outside of the scene's root folder"), "{narrow}");
+    assert!(test(&["--bless", "--root", ".."]).status.success());
+    assert_eq!(said(&test(&["--root", ".."])), "ok       scenes/a.ron\n1 passed, 0 failed\n");
+    assert_eq!(test(&["--root", "nowhere"]).status.code(), Some(2));
+    assert_eq!(test(&["--root", "../models"]).status.code(), Some(2));
 }
 
 #[test]

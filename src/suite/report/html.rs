@@ -72,11 +72,10 @@ fn story(run: &Run, index: usize, outcome: &Outcome) -> String {
             _ => told(&failure.told()),
         };
     }
-    if let Some(command) = outcome.how_to_bless(&run.call) {
-        text += &format!(
-            "<p class=\"bless\">If the new output is right: <code>{}</code></p>\n",
-            escaped(&command)
-        );
+    if let Some([when, command]) = outcome.how_to_bless(&run.call) {
+        let [first, rest] = [&when[..1], &when[1..]];
+        let when = first.to_uppercase() + rest;
+        text += &format!("<p class=\"bless\">{when}: <code>{}</code></p>\n", escaped(&command));
     }
     text + "</section>\n"
 }

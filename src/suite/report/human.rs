@@ -26,6 +26,9 @@ fn story(run: &Run, outcome: &Outcome) -> String {
         let what = if *is_new { "new" } else { "changed" };
         text += &format!("    wrote {} ({what})\n", path.display());
     }
+    for path in &outcome.removed {
+        text += &format!("    removed {}\n", path.display());
+    }
     for failure in &outcome.failures {
         for (i, line) in failure.told().into_iter().enumerate() {
             let indent = if i == 0 || matches!(failure, Failure::Mistakes(_)) { "    " } else { "      " };
@@ -40,8 +43,8 @@ fn story(run: &Run, outcome: &Outcome) -> String {
             }
         }
     }
-    if let Some(command) = outcome.how_to_bless(&run.call) {
-        text += &format!("    if the new output is right: {command}\n");
+    if let Some([when, command]) = outcome.how_to_bless(&run.call) {
+        text += &format!("    {when}: {command}\n");
     }
     text
 }

@@ -26,6 +26,8 @@ struct Test<'a> {
     reason: Option<&'a str>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     written: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    removed: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     picture: Option<Measures>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -67,9 +69,10 @@ fn test<'a>(run: &Run, outcome: &'a Outcome) -> Test<'a> {
         milliseconds: outcome.time.as_millis() as u64,
         reason: outcome.skipped.as_deref(),
         written: outcome.written.iter().map(|(path, _)| path.display().to_string()).collect(),
+        removed: outcome.removed.iter().map(|path| path.display().to_string()).collect(),
         picture: outcome.verdict.as_ref().map(Measures::of),
         failures: outcome.failures.iter().map(told).collect(),
-        bless: outcome.how_to_bless(&run.call),
+        bless: outcome.how_to_bless(&run.call).map(|[_, command]| command),
     }
 }
 

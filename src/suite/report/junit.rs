@@ -35,7 +35,7 @@ fn test(run: &Run, outcome: &Outcome) -> String {
         return format!("{open}/>\n");
     }
     let mut lines: Vec<String> = outcome.failures.iter().flat_map(|failure| failure.told()).collect();
-    lines.extend(outcome.how_to_bless(&run.call).map(|how| format!("if the new output is right: {how}")));
+    lines.extend(outcome.how_to_bless(&run.call).map(|how| how.join(": ")));
     let first = escaped(&lines[0]);
     let all = escaped(&lines.join("\n"));
     format!("{open}>\n      <failure message=\"{first}\">{all}</failure>\n    </testcase>\n")
