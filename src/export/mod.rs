@@ -4,6 +4,7 @@
 
 mod beside;
 mod head;
+mod integers;
 mod native;
 mod shadertoy;
 mod standalone;

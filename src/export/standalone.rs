@@ -5,8 +5,8 @@
 use naga::compact::{KeepUnused, compact};
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-use super::ExportError;
 use super::beside::Beside;
+use super::{ExportError, integers};
 use crate::frame::{FrameUniforms, Moment};
 use crate::ir::Scene;
 use crate::library::Const;
@@ -30,6 +30,9 @@ impl Standalone {
             ExportError::Refused(format!("{} (in {place})", problem.message))
         })?;
         let mut module = validated.naga().clone();
+        if host == Host::Shadertoy {
+            integers::define(&mut module, validated.info());
+        }
         compact(&mut module, KeepUnused::No);
         let info = Validator::new(ValidationFlags::all(), Capabilities::default())
             .validate(&module)

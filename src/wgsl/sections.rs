@@ -26,7 +26,7 @@ const CORE: [&str; 13] = [
 const OF_RAYTOY: [&str; 4] = ["main", "cover", "view", "number_color"];
 const OF_RAYTOY_PLAIN: [&str; 4] = ["main", "cover", "plain", "unviewed"];
 const OF_ANY_HOST: [&str; 4] = ["standalone", "cover", "unviewed", "tone"];
-const OF_SHADERTOY: [&str; 3] = ["shadertoy", "unviewed", "tone"];
+const OF_SHADERTOY: [&str; 5] = ["shadertoy", "unviewed", "tone", "integers", "integer_vectors"];
 
 /// Files in shaders/ that are no part of every picture's shader.
 const APART: [&str; 5] = ["display", "guard", "lines", "probe", "unmeasured"];

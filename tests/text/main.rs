@@ -16,6 +16,7 @@ mod errors;
 mod golden;
 mod history;
 mod images_in_use;
+mod integers;
 mod judge;
 mod models;
 mod outline;
