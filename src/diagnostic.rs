@@ -35,7 +35,7 @@ pub struct Diagnostic {
     pub message: String,
     /// Places and what there is to say of each; the first is where it happened.
     pub labels: Vec<(Place, String)>,
-    /// What to type instead, and why.
+    /// Advice: the text to type instead, and why.
     pub help: Vec<String>,
 }
 
@@ -51,19 +51,19 @@ impl Diagnostic {
         Self { severity: Severity::Warning, ..Self::error(message) }
     }
 
-    /// The same, at `place`; `label` may be empty.
+    /// Adds `place` with a `label`, which may be empty.
     pub fn at(mut self, place: Place, label: impl Into<String>) -> Self {
         self.labels.push((place, label.into()));
         self
     }
 
-    /// The same, with advice.
+    /// Adds advice.
     pub fn help(mut self, advice: impl Into<String>) -> Self {
         self.help.push(advice.into());
         self
     }
 
-    /// The same, with "did you mean" where one of `known` is close to `name`, else with all of them unless
+    /// Adds "did you mean" where one of `known` is close to `name`, else with all of them unless
     /// they are too many to read.
     pub fn suggest<'a>(self, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         let known: Vec<&str> = known.into_iter().collect();

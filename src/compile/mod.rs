@@ -38,7 +38,7 @@ pub struct Times {
     pub naga: Duration,
 }
 
-/// What came of a scene: [`Compiled`] unless the report has errors.
+/// The result of a compilation: [`Compiled`] unless the report has errors.
 #[derive(Debug)]
 pub struct Outcome {
     pub compiled: Option<Compiled>,

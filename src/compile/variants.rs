@@ -8,18 +8,18 @@ use crate::wgsl::{self, Mode, Source};
 use crate::{ir, module};
 
 impl Compiled {
-    /// The same scene with its numbers in the other `mode`.
+    /// This scene with its numbers in the other `mode`.
     ///
     /// # Errors
-    /// Where naga refuses that text although it took the other, which would be a mistake of ours.
+    /// If naga refuses that text although it took the other, which would be a mistake of ours.
     pub fn in_mode(&self, mode: Mode) -> Result<Self, Diagnostic> {
         self.with_scene(self.scene.clone(), mode)
     }
 
-    /// The same scene as [`wgsl::generate_plain`] writes it: no debug views, and all numbers as literals.
+    /// This scene as [`wgsl::generate_plain`] writes it: no debug views, and all numbers as literals.
     ///
     /// # Errors
-    /// Where naga refuses that text although it took the whole, which would be a mistake of ours.
+    /// If naga refuses that text although it took the whole, which would be a mistake of ours.
     pub fn plain(&self) -> Result<Self, Diagnostic> {
         self.with_source(self.scene.clone(), wgsl::generate_plain(&self.scene))
     }
@@ -28,7 +28,7 @@ impl Compiled {
     /// camera and background stay, and so do all indices.
     ///
     /// # Errors
-    /// Where naga refuses that text although it took the whole scene's, which would be a mistake of ours.
+    /// If naga refuses that text although it took the whole scene's, which would be a mistake of ours.
     pub fn isolated(&self, primitive: usize) -> Result<Self, Diagnostic> {
         let mut scene = self.scene.clone();
         for object in &mut scene.objects {
@@ -39,11 +39,11 @@ impl Compiled {
         self.with_scene(scene, self.source.mode)
     }
 
-    /// The same scene with a number for the debug view `value`.
+    /// This scene with a number for the debug view `value`.
     ///
     /// # Errors
-    /// Where naga refuses that text although it took the other, since a file of the author's has a function
-    /// of the same name; or where a texture that is measured has more images than can be bound.
+    /// If naga refuses that text although it took the other, since a file of the author's has a function
+    /// of the same name; or if a texture that is measured has more images than can be bound.
     pub fn measuring(&self, measure: ir::Measure) -> Result<Self, Diagnostic> {
         let scene = ir::Scene { measure: Some(measure), ..self.scene.clone() };
         if scene.images_in_use().len() > ir::Scene::MAX_IMAGES {
@@ -54,7 +54,7 @@ impl Compiled {
         self.with_scene(scene, self.source.mode)
     }
 
-    /// Whether `other` needs no other pipeline than this one, where both have their numbers as data.
+    /// Returns true if `other` can use the pipeline of this one, where both have their numbers as data.
     pub fn has_structure_of(&self, other: &Self) -> bool {
         self.source.sections == other.source.sections && self.scene.has_files_of(&other.scene)
     }
@@ -69,10 +69,10 @@ impl Compiled {
         Ok(Self { text: self.text.clone(), scene, source, module, times: self.times })
     }
 
-    /// The same scene with the entry points by which a [`gpu::Probe`] asks it.
+    /// This scene with the entry points by which a [`gpu::Probe`] asks it.
     ///
     /// # Errors
-    /// Where naga refuses them, since a file of the author's has a function of the same name.
+    /// If naga refuses them, since a file of the author's has a function of the same name.
     pub fn probed(&self) -> Result<Self, Diagnostic> {
         self.with_source(self.scene.clone(), self.source.clone().with_probe())
     }

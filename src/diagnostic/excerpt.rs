@@ -30,7 +30,7 @@ struct Excerpt<'a> {
 
 /// A line of an excerpt, and of the text.
 struct Line {
-    /// Where it begins in the excerpt.
+    /// Its first column in the excerpt.
     start: usize,
     /// Its number in the text, from 0, and the bytes of the text that it shows.
     number: usize,
@@ -115,12 +115,12 @@ impl<'a> Excerpt<'a> {
         excerpt
     }
 
-    /// Whether a byte of the text is there.
+    /// Reports if the excerpt contains a byte of the text.
     fn shows(&self, byte: usize) -> bool {
         self.lines.iter().any(|line| (line.shown.start..=line.shown.end).contains(&byte))
     }
 
-    /// Where a byte of the text is, or the nearest that is shown of its line.
+    /// The column of a byte of the text, or of the nearest byte shown of its line.
     fn place(&self, byte: usize) -> usize {
         let index = self.lines.partition_point(|line| line.shown.start <= byte).saturating_sub(1);
         let line = &self.lines[index];

@@ -14,7 +14,7 @@ pub struct Beside {
     pub bindings: Vec<Binding>,
     /// One texture behind the other.
     pub texels: Vec<u8>,
-    /// What the texels were made of.
+    /// Names of the images and models that the texels were made of.
     pub files: Vec<String>,
 }
 
@@ -24,11 +24,11 @@ pub struct Binding {
     pub is_sampler: bool,
     pub ty: &'static str,
     pub name: String,
-    /// What a host binds to it.
+    /// The resources that a host binds to it.
     pub content: String,
 }
 
-/// Where a texture may begin: Vulkan copies from multiples of a texel's size, of which this is the largest.
+/// Alignment of a texture's first byte: Vulkan copies from multiples of a texel's size, which is 16 at most.
 const ALIGNMENT: usize = 16;
 
 impl Beside {

@@ -79,7 +79,7 @@ To draw many samples a pixel, n = 0, 1, 2 and so on:
     commented(&(opening(scene, option) + &how))
 }
 
-/// The same for a language in which the scene's own section does not list what is in it.
+/// Lists the contents for a language in which the scene's own section does not list what is in it.
 pub fn translated(scene: &Scene, alone: &Standalone, dialect: &Dialect) -> String {
     plain(&(standalone(scene, alone, dialect) + &contents(&alone.source)))
 }

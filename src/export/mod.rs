@@ -16,7 +16,7 @@ use self::standalone::Standalone;
 use crate::compile::{Compiled, on_deep_stack};
 use crate::wgsl::Host;
 
-/// What the shader is written in.
+/// The language of the shader.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Language {
     Wgsl,
@@ -45,13 +45,13 @@ impl Language {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Export {
     pub shader: Vec<u8>,
-    /// What its textures hold, for a file beside it; empty where the scene takes nothing from files. The head
+    /// The texels of its textures, for a file beside it; empty where the scene reads no files. The head
     /// of the shader tells how to read it; SPIR-V has none, and the bindings and texels of WGSL.
     pub texels: Vec<u8>,
 }
 
 impl Export {
-    /// Where the texels of the shader in `file` lie: beside it, with `.texels` behind its name.
+    /// The file with the texels of the shader in `file`: beside it, with `.texels` behind its name.
     pub fn texels_file(file: &Path) -> PathBuf {
         let mut beside = file.as_os_str().to_owned();
         beside.push(".texels");
@@ -90,7 +90,7 @@ impl std::error::Error for ExportError {}
 /// The scene as a shader in `language`, with its numbers as literals; the same bytes every time.
 ///
 /// # Errors
-/// Where the scene cannot stand on its own.
+/// If the scene cannot be exported.
 pub fn export(compiled: &Compiled, language: Language) -> Result<Export, ExportError> {
     let scene = &compiled.scene;
     let host = if language == Language::Glsl { Host::Shadertoy } else { Host::Any };

@@ -10,7 +10,7 @@ use super::standalone::Standalone;
 use super::{ExportError, head};
 use crate::ir::Scene;
 
-/// What naga writes for the sampler of shaders/image.wgsl.
+/// The text that naga writes for the sampler of shaders/image.wgsl.
 const HEAP: &str = "\
 SamplerState nagaSamplerHeap[2048]: register(s0, space0);
 SamplerComparisonState nagaComparisonSamplerHeap[2048]: register(s0, space1);

@@ -11,7 +11,7 @@ use super::standalone::Standalone;
 use super::{ExportError, head};
 use crate::ir::Scene;
 
-/// What naga writes for shaders/shadertoy.wgsl, and what Shadertoy wants there. It declares the inputs
+/// Texts of shaders/shadertoy.wgsl as naga writes them and as Shadertoy needs them. It declares the inputs
 /// itself, and calls a function with the output and the pixel.
 const CHANGES: [(&str, &str); 8] = [
     ("#version 300 es\n\nprecision highp float;\nprecision highp int;\n\n", ""),
@@ -27,7 +27,7 @@ const CHANGES: [(&str, &str); 8] = [
     ("    _fs2p_location0 = vec4(", "    fragColor = vec4("),
 ];
 
-/// What Shadertoy declares.
+/// The names that Shadertoy declares.
 const INPUTS: [&str; 4] = ["iResolution", "iTime", "iFrame", "iMouse"];
 
 /// Functions that only later versions of GLSL have.
@@ -94,7 +94,7 @@ fn with_locals_apart(module: &Module) -> Module {
 }
 
 /// # Errors
-/// Where a function asks for what naga writes as if GLSL ES 3.00 had it: `select` of whole numbers or
+/// If a function uses what naga writes although GLSL ES 3.00 lacks it: `select` of whole numbers or
 /// switches, each component by itself.
 fn refuse_unknown(module: &Module, info: &ModuleInfo) -> Result<(), ExportError> {
     for (handle, function) in module.functions.iter() {

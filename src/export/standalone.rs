@@ -42,7 +42,7 @@ impl Standalone {
     }
 }
 
-/// What the scene says of the fields of shaders/frame.wgsl, for a picture one pixel high.
+/// The scene's values for the fields of shaders/frame.wgsl, for a picture one pixel high.
 pub fn settings(scene: &Scene) -> [(&'static str, Const); 7] {
     let frame = FrameUniforms::new(&Moment::of(scene), &scene.render, 0, [1, 1], 0, [0.0; 2]);
     [

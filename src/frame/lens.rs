@@ -48,7 +48,7 @@ impl Lens {
         2.0 * self.half * self.depth(point) / self.size.y
     }
 
-    /// Where a point lies in the picture or beyond its edges. It must lie before the eye.
+    /// The place of a point in the picture, or beyond its edges. It must lie before the eye.
     pub fn pixel(&self, point: Vec3) -> Vec2 {
         let away = point - self.eye;
         let reach = self.half * away.dot(self.forward);

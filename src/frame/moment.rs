@@ -10,7 +10,7 @@ use crate::ir;
 pub struct Moment {
     pub camera: ir::Camera,
     pub view: View,
-    /// What lies over the right part of it.
+    /// The second view, over the right part of the picture.
     pub split: Option<Split>,
     /// The number at which the colors of [`View::Value`] end, more than 0.
     pub reach: f32,

@@ -10,7 +10,7 @@ use super::View;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Split {
     pub view: View,
-    /// Where the divider is, as a share of the picture's width: 0 is the left edge, 1 the right one.
+    /// The place of the divider, as a share of the picture's width: 0 is the left edge, 1 the right one.
     pub at: f32,
 }
 

@@ -23,7 +23,7 @@ pub enum TexelFormat {
     Rgba32Uint,
 }
 
-/// What one texture of bind group 1 holds.
+/// The texels of one texture of bind group 1.
 #[derive(Clone, Debug)]
 pub struct Texels {
     pub binding: u32,
@@ -33,7 +33,7 @@ pub struct Texels {
     pub size: [u32; 2],
     /// Of each level the bytes: rows from the top, little-endian, without gaps.
     pub levels: Vec<Vec<u8>>,
-    /// What they were made of.
+    /// Names of the images and models that the texels were made of.
     pub files: Vec<String>,
 }
 

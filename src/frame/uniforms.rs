@@ -61,7 +61,7 @@ impl FrameUniforms {
     }
 }
 
-/// Where sample `index` of `count` lies in its pixel, from the centre: one sample goes through the centre,
+/// The place of sample `index` of `count` in its pixel, from the centre: one sample goes through the centre,
 /// more are spread by the R2 sequence and gathered by a tent two pixels wide.
 pub fn sample_offset(index: u32, count: u32) -> [f32; 2] {
     if count == 1 {

@@ -2,7 +2,7 @@
 //!
 //! In: a name or a number of shaders/view.wgsl. Out: the other.
 
-/// What a picture shows. The numbers are those of shaders/view.wgsl.
+/// A debug view: the content of a picture. The numbers are those of shaders/view.wgsl.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum View {
     /// The light that reaches the camera.

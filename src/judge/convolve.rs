@@ -25,7 +25,7 @@ impl Plane {
         Plane { width, values }
     }
 
-    /// The same along y.
+    /// Convolves along y.
     pub fn down(&self, kernel: &[f64]) -> Plane {
         let (width, reach) = (self.width, kernel.len() / 2);
         let last = self.values.len() / width - 1;

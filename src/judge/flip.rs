@@ -39,7 +39,7 @@ pub fn flip(expected: &RgbImage, actual: &RgbImage, pixels_per_degree: f64) -> f
     map.iter().sum::<f64>() / map.len() as f64
 }
 
-/// The same of each pixel, by rows from the top.
+/// The FLIP error of each pixel, by rows from the top.
 pub fn flip_map(expected: &RgbImage, actual: &RgbImage, pixels_per_degree: f64) -> Vec<f64> {
     let [one, other] = [expected, actual].map(|picture| Seen::new(picture, pixels_per_degree));
     let largest = hyab(hunted([0.0, 1.0, 0.0]), hunted([0.0, 0.0, 1.0])).powf(COLOR_EXPONENT);
@@ -53,7 +53,7 @@ pub fn flip_map(expected: &RgbImage, actual: &RgbImage, pixels_per_degree: f64) 
     (0..one.colors.len()).map(pixel).collect()
 }
 
-/// What is left of a picture in the eye: blurred colors in Hunt-adjusted L*a*b*, and how strong edges and
+/// A picture as the eye filters it: blurred colors in Hunt-adjusted L*a*b*, and how strong edges and
 /// points are.
 struct Seen {
     colors: Vec<[f64; 3]>,

@@ -39,7 +39,7 @@ impl Default for Limits {
     }
 }
 
-/// What was measured, and which limits it breaks.
+/// The measured values, and the limits that they break.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
     pub outliers: Outliers,

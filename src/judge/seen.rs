@@ -14,10 +14,10 @@ pub enum Change {
     Elsewhere { by: f64 },
 }
 
-/// Where the mean of the changes is less than this share of their mean size, they are no shift.
+/// Changes are no shift if their mean is less than this share of their mean size.
 const ONE_WAY: f64 = 0.5;
 
-/// What happened to the pixels in which a channel differs by more than `tolerance`; to all that differ where
+/// The change of the pixels in which a channel differs by more than `tolerance`; to all that differ where
 /// no pixel does by so much. None where the pictures are the same.
 pub fn change(expected: &RgbImage, actual: &RgbImage, tolerance: u8) -> Option<Change> {
     let pairs = || expected.pixels().zip(actual.pixels());

@@ -8,7 +8,7 @@ pub struct Outliers {
     pub count: usize,
     /// Pixels of the picture.
     pub of: usize,
-    /// What holds all outliers; None where there are none.
+    /// The box around all outliers; None if there are none.
     pub bounds: Option<Area>,
     /// The pixel that differs most, also where no pixel is an outlier; None where all are the same.
     pub worst: Option<Pixel>,

@@ -29,7 +29,7 @@ pub struct Sources {
     given: BTreeSet<PathBuf>,
 }
 
-/// What a path held when it was asked for.
+/// The content of a path when it was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Answer {
     Text(Arc<str>),
@@ -59,13 +59,13 @@ impl Sources {
         Self { here, named_root: None, on_disk: false, asked, given }
     }
 
-    /// The same, with `root` as the root of all scenes below it, if one is named.
+    /// Sets `root` as the root of all scenes below it, if one is named.
     pub fn below(self, root: Option<&Path>) -> Self {
         let named_root = root.map(|root| self.absolute(root));
         Self { named_root, ..self }
     }
 
-    /// The same, with `text` in place of what is at `path`.
+    /// Replaces the content of `path` by `text`.
     pub fn with(mut self, path: impl AsRef<Path>, text: &str) -> Self {
         let path = self.absolute(path.as_ref());
         self.asked.lock().expect("no holder panics").insert(path.clone(), Answer::Text(text.into()));
@@ -82,13 +82,13 @@ impl Sources {
         Reach { sources: self, folder, root }
     }
 
-    /// Whether the root that the author names, if any, holds `folder`.
+    /// Returns true if the root that the author names contains `folder`, or if there is no such root.
     pub fn root_holds(&self, folder: &Path) -> bool {
         let folder = self.absolute(folder);
         self.named_root.as_ref().is_none_or(|root| same_above(&folder, root).is_some())
     }
 
-    /// What is at `path`, wherever that is: for files that the user names.
+    /// The bytes at `path`, inside the root or not: for files that the user names.
     pub fn read(&self, path: &Path) -> Answer {
         let path = self.absolute(path);
         self.recall(&path, MAX_BYTES, |_| Ok(path.clone()))
@@ -111,7 +111,7 @@ impl Sources {
         self.bytes_of(&self.absolute(path), self.read(path))
     }
 
-    /// What was answered before, or else what the file is that `judge` leads to.
+    /// The answer from before, or else that for the file that `judge` leads to.
     fn recall(&self, path: &Path, most: u64, judge: impl FnOnce(&Path) -> Result<PathBuf, Answer>) -> Answer {
         let known = self.asked.lock().expect("no holder panics").get(path).cloned();
         known.unwrap_or_else(|| {
@@ -171,7 +171,7 @@ impl Sources {
         found.collect()
     }
 
-    /// What messages and generated text call `path`: relative to where raytoy runs, with `/` on every system.
+    /// Name of `path` in messages and generated text: relative to the current folder, with `/` everywhere.
     pub fn name(&self, path: &Path) -> String {
         let path = self.absolute(path);
         let short = path.strip_prefix(&self.here).unwrap_or(&path);

@@ -23,7 +23,7 @@ impl Reach<'_> {
         &self.folder
     }
 
-    /// What is at `path`.
+    /// The content of `path`.
     pub fn read(&self, path: &Path) -> Answer {
         self.read_up_to(path, MAX_BYTES)
     }
@@ -96,12 +96,12 @@ impl Reach<'_> {
         self.holds(path).then(|| Diagnostic::error(why))
     }
 
-    /// Whether `path` lies in the root, links aside.
+    /// Returns true if `path` is in the root, links aside.
     fn holds(&self, path: &Path) -> bool {
         path.starts_with(&self.root) && !names_drive(path)
     }
 
-    /// Where the file at `path` really is, once all links are followed.
+    /// The real path of the file at `path`, after all links.
     fn judge(&self, path: &Path) -> Result<PathBuf, Answer> {
         // Nothing outside is looked at, so that no message says what is there.
         if !self.holds(path) {
@@ -115,7 +115,7 @@ impl Reach<'_> {
     }
 }
 
-/// Whether a part of `path` is that of a drive, as in `C:/model.obj`. Windows has it in front only.
+/// Returns true if a part of `path` is a drive, as in `C:/model.obj`. Windows has it in front only.
 fn names_drive(path: &Path) -> bool {
     let is_drive = |part: &str| matches!(part.as_bytes(), [letter, b':'] if letter.is_ascii_alphabetic());
     path.components()

@@ -134,6 +134,22 @@ fn each_module_opens_with_what_it_is() {
     expect_none(rust().into_iter().filter(|(_, text)| !text.starts_with("//! ")).map(|(file, _)| file));
 }
 
+/// Rooms whose docs open with a noun of the field or a verb.
+const PLAIN: [&str; 6] = ["diagnostic", "sources", "compile", "frame", "judge", "export"];
+
+#[test]
+fn docs_open_with_a_noun_or_a_verb() {
+    let openings = ["What ", "Whether ", "The same", "Where "].map(|word| format!("/// {word}"));
+    let is_plain = |file: &str| PLAIN.iter().any(|room| file.contains(&format!("src/{room}")));
+    let files: Vec<_> = rust().into_iter().filter(|(file, _)| is_plain(&file.replace('\\', "/"))).collect();
+    assert!(files.len() > 20, "the rooms have moved");
+    expect_none(files.iter().flat_map(|(file, text)| {
+        let lines = text.lines().enumerate();
+        let opens = |line: &str| openings.iter().any(|opening| line.trim_start().starts_with(opening));
+        lines.filter(move |(_, line)| opens(line)).map(move |(i, line)| format!("{file}:{}: {line}", i + 1))
+    }));
+}
+
 #[test]
 fn files_and_lines_stay_short() {
     let wgsl = ["shaders", "textures"].iter().flat_map(|folder| files(folder, "wgsl"));
