@@ -55,7 +55,7 @@ fn is_ours(function: &Function) -> bool {
     function.name.as_deref().is_some_and(is_one)
 }
 
-/// What stands for the expressions of `function` that GLSL leaves open.
+/// Replaces the expressions of `function` that GLSL leaves open.
 fn calls(
     module: &Module,
     info: &FunctionInfo,
@@ -106,7 +106,7 @@ fn literal(function: &Function, expression: Handle<Expression>) -> Option<i64> {
     }
 }
 
-/// What is to be done to a function.
+/// The changes to make to a function.
 struct Changes<'a> {
     calls: HashMap<Handle<Expression>, Call>,
     /// The handles of functions, which its text has as they were.

@@ -11,10 +11,10 @@ impl Scene {
     /// What WebGPU lets a shader look up, without the models and the picture that gathers samples.
     pub const MAX_IMAGES: usize = 14;
 
-    /// The materials that something is made of.
+    /// The materials that something is made of. A scene with mistakes may lack some.
     pub fn materials_in_use(&self) -> impl Iterator<Item = &Material> {
         let used: BTreeSet<usize> = self.primitives.iter().map(|primitive| primitive.material).collect();
-        used.into_iter().map(|index| &self.materials[index])
+        used.into_iter().filter_map(|index| self.materials.get(index))
     }
 
     /// The indices of the images that are looked up, in the order in which they are bound. One that is only
@@ -43,7 +43,7 @@ impl Scene {
             found.extend(point.images);
             open.extend(point.others.into_iter().map(|(_, other)| other));
             for index in point.named.into_iter().filter(|index| seen.insert(*index)) {
-                open.push(Point::of([&self.textures[index].value]));
+                open.extend(self.textures.get(index).map(|texture| Point::of([&texture.value])));
             }
         }
         found.into_iter().collect()
