@@ -17,11 +17,11 @@ help:
 	@echo 'make dist    make an archive with a program that needs neither Rust nor this folder'
 	@echo 'make setup   install what raytoy needs besides Rust (Linux)'
 
-# The dev profile is enough: it optimises the dependencies, and the GPU does the work.
+# The dev profile is enough: it optimizes what is hot, and the GPU does the work.
 play: setup
 	@if [ ! -d '$(TARGET)/debug/deps' ]; then \
 	    cores=$$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 4); \
-	    echo "The first build compiles some 240 crates: about $$((24 / cores + 1)) minutes on $$cores cores. Later ones take seconds."; \
+	    echo "The first build compiles some 240 crates: about $$((10 / cores + 1)) minutes on $$cores cores. Later ones take seconds."; \
 	    echo 'Meanwhile, this is the scene. Its language is explained in LANGUAGE.md.'; \
 	    echo; \
 	    cat '$(SCENE)'; \
