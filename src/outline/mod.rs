@@ -42,7 +42,7 @@ pub struct Node {
     pub names: Arc<[String]>,
     /// Where the author wrote it, in bytes; None where it is left out.
     pub span: Option<Range<usize>>,
-    /// Of a shape: which of `ir::Scene::objects` it is.
+    /// Of a shape: its index in `ir::Scene::primitives`.
     pub object: Option<usize>,
     pub fields: Vec<Field>,
     pub nodes: Vec<Node>,
@@ -192,7 +192,7 @@ struct Writer<'a> {
 }
 
 impl Outline {
-    /// The shape that is `ir::Scene::objects[index]`.
+    /// The shape that is `ir::Scene::primitives[index]`.
     pub fn object(&self, index: usize) -> Option<&Node> {
         self.all_nodes().into_iter().find(|node| node.object == Some(index))
     }
@@ -237,6 +237,15 @@ impl Outline {
             collect(field, &is_use, &mut found);
         }
         found
+    }
+
+    /// The node to remove so that `node` is gone: a solid cannot be without parts, so its last part takes it
+    /// along.
+    pub fn to_remove<'n>(&'n self, node: &'n Node) -> &'n Node {
+        let is_last = |csg: &&Node| {
+            csg.kind == NodeKind::Csg && matches!(csg.nodes.as_slice(), [part] if part.path == node.path)
+        };
+        self.all_nodes().into_iter().find(is_last).map_or(node, |csg| self.to_remove(csg))
     }
 
     /// The innermost node that the byte `at` of the text is in.

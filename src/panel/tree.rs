@@ -144,7 +144,11 @@ impl Tree<'_> {
             _ => vec![],
         };
         let paths: Vec<String> = uses.iter().map(|field| field.path.to_string()).collect();
+        let removed = outline.to_remove(node);
         let remove = ui.button(match paths.len() {
+            0 if removed.path != node.path => {
+                format!("Remove, with \"{}\", which has no other part", removed.label)
+            }
             0 => "Remove".to_owned(),
             1 => "Remove, and write its value where it is used".to_owned(),
             count => format!("Remove, and write its value in {count} places"),
@@ -157,7 +161,7 @@ impl Tree<'_> {
                     value: NewValue::Code(words.clone()),
                 }));
             }
-            self.edits.push(Edit::Remove { path: node.path.clone() });
+            self.edits.push(Edit::Remove { path: removed.path.clone() });
             ui.close();
         }
     }

@@ -281,3 +281,21 @@ fn the_menu_of_a_line_duplicates_and_removes() {
     assert_eq!(studio.text(), SCENE.replace(block, ""));
     assert_eq!(blocks(&studio), 0);
 }
+
+#[test]
+fn the_last_part_of_a_solid_takes_the_solid_along() {
+    let text = "(objects: [\n    Sphere(name: \"ball\"),\n    Union(name: \"pair\", parts: [\n        \
+                Difference(name: \"cup\", parts: [Box(name: \"cube\"), Torus(name: \"ring\")]),\n    ]),\n])";
+    let mut studio = Studio::open(text);
+    let menu = |studio: &mut Studio, line: &str, item: &str| {
+        studio.find(Role::TreeItem, line).click_secondary();
+        studio.leave();
+        studio.harness.get_by(is(Role::Button, item)).click();
+        studio.leave();
+    };
+    menu(&mut studio, "ring", "Remove");
+    assert_eq!(studio.text(), text.replace(", Torus(name: \"ring\")", ""));
+    menu(&mut studio, "cube", "Remove, with \"pair\", which has no other part");
+    assert!(!studio.text().contains("parts"), "{}", studio.text());
+    assert!(studio.text().contains("Sphere(name: \"ball\")"), "{}", studio.text());
+}
