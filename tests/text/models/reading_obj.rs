@@ -84,6 +84,32 @@ fn polygons_with_corners_that_point_inward_are_filled_and_no_more() {
 }
 
 #[test]
+fn a_spiral_of_a_thousand_corners_is_filled() {
+    let count = 500;
+    // Out along one side of the band, and back along the other.
+    let corner = |i: usize| {
+        let (turn, width) = if i < count { (i, 1.0) } else { (2 * count - 1 - i, 0.6) };
+        let angle = 12.0 * std::f32::consts::PI * turn as f32 / (count - 1) as f32;
+        let radius = 2.0 + angle / std::f32::consts::TAU + 0.5 * width;
+        [radius * angle.cos(), radius * angle.sin()]
+    };
+    let corners: Vec<[f32; 2]> = (0..2 * count).map(corner).collect();
+    let next = corners.iter().cycle().skip(1);
+    let twice: f32 = corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum();
+    let text: String = corners.iter().map(|[x, y]| format!("v {x} {y} 0\n")).collect();
+    let text = (1..=corners.len()).fold(text + "f", |text, i| format!("{text} {i}"));
+    let areas = faces(text.as_bytes()).into_iter().map(|triangle| {
+        let [a, b, c] = triangle.map(|corner| corner.position);
+        0.5 * (b - a).cross(c - a).z
+    });
+    let areas: Vec<f32> = areas.collect();
+    assert_eq!(areas.len(), corners.len() - 2);
+    assert!(areas.iter().all(|area| area * twice > 0.0), "triangles are turned over");
+    let whole: f32 = areas.iter().sum();
+    assert!((whole - 0.5 * twice).abs() < 1e-3 * whole.abs(), "{whole} of {}", 0.5 * twice);
+}
+
+#[test]
 fn a_polygon_of_many_corners_is_a_fan() {
     let count = 2000;
     let corner = |i: usize| {
