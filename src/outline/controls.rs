@@ -184,7 +184,7 @@ impl Writer<'_> {
         let Some(name) = name else {
             return Control::Texture { name: None, doc: String::new(), fields: vec![] };
         };
-        let (doc, own) = match FORMS.iter().find(|form| form.name == name) {
+        let (doc, own) = match FORMS.iter().map(|(form, _)| form).find(|form| form.name == name) {
             Some(form) => (form.doc.to_owned(), self.table(form.fields, value, path)),
             None => match self.lookup.find(Family::Texture, name) {
                 Ok(function) => {

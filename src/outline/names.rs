@@ -33,7 +33,7 @@ impl Names {
             .iter()
             .map(|function| (function.kind == Kind::Mapping, function.name.clone()))
             .partition(|(is_mapping, _)| *is_mapping);
-        textures.extend(FORMS.iter().map(|form| (false, form.name.to_owned())));
+        textures.extend(FORMS.iter().map(|(form, _)| (false, form.name.to_owned())));
         textures.sort();
         let shapes = functions(Family::Shape);
         let operations = || OPERATIONS.iter().map(|(group, _)| group.name.to_owned());
@@ -47,7 +47,7 @@ impl Names {
             mappings: mappings.into_iter().map(|(_, name)| name).collect(),
             solids: shapes.iter().map(|shape| shape.name.clone()).chain(operations()).collect(),
             parts: closed.map(|shape| shape.name.clone()).chain(operations()).collect(),
-            lights: LIGHTS.iter().map(|light| light.name.to_owned()).collect(),
+            lights: LIGHTS.iter().map(|(light, _)| light.name.to_owned()).collect(),
             declared_textures: declared("textures"),
             declared_materials: declared("materials"),
         }
@@ -110,9 +110,9 @@ impl Role {
     /// The one in the tables with this name.
     pub(super) fn group(self, name: &str) -> Option<&'static Group> {
         match self {
-            Role::Light => LIGHTS.iter().find(|group| group.name == name),
+            Role::Light => LIGHTS.iter().map(|(group, _)| group).find(|group| group.name == name),
             Role::Solid => OPERATIONS.iter().map(|(group, _)| group).find(|group| group.name == name),
-            Role::Texture => FORMS.iter().find(|group| group.name == name),
+            Role::Texture => FORMS.iter().map(|(group, _)| group).find(|group| group.name == name),
         }
     }
 

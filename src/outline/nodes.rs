@@ -23,7 +23,8 @@ impl Writer<'_> {
                     "textures" => NodeKind::Textures,
                     "materials" => NodeKind::Materials,
                     "objects" => NodeKind::Objects,
-                    _ => NodeKind::Render,
+                    "render" => NodeKind::Render,
+                    other => unreachable!("no node shows the field `{other}` of a scene"),
                 };
                 let mut node = Node::new(kind, path.clone(), field.name.to_owned(), value);
                 node.doc = field.doc.to_owned();
@@ -47,7 +48,7 @@ impl Writer<'_> {
     fn lights(&self, written: Option<&Value>, path: &Path) -> Vec<Node> {
         let lights = items(written).iter().enumerate().map(|(i, item)| {
             let name = name(item);
-            let known = LIGHTS.iter().find(|light| Some(light.name) == name);
+            let known = LIGHTS.iter().map(|(light, _)| light).find(|light| Some(light.name) == name);
             let path = path.item(i);
             let label = format!("{} {i}", name.unwrap_or("light"));
             let mut node = Node::new(NodeKind::Light, path.clone(), label, Some(item));

@@ -265,14 +265,14 @@ fn an_example_of_each_name_resolves() {
     };
     let lights = LIGHTS
         .iter()
-        .map(|light| format!("(lights: [{}], objects: [Box()])", written(Role::Light, light.name)));
+        .map(|(light, _)| format!("(lights: [{}], objects: [Box()])", written(Role::Light, light.name)));
     let operations = OPERATIONS.iter().map(|(group, _)| group.name.to_owned());
     let shapes = library.names(Family::Shape).into_iter().chain(operations);
     // Models and images need a file, which is not there.
     let shapes = shapes
         .filter(|name| name != "Mesh")
         .map(|name| format!("(objects: [{}])", written(Role::Solid, &name)));
-    let forms = FORMS.iter().map(|form| form.name.to_owned()).filter(|name| name != "Image");
+    let forms = FORMS.iter().map(|(form, _)| form.name.to_owned()).filter(|name| name != "Image");
     let textures = library.names(Family::Texture).into_iter().chain(forms).map(|name| {
         let is_mapping = library.find(Family::Texture, &name).is_ok_and(|f| f.kind.noun() == "mapping");
         let call = written(Role::Texture, &name);
@@ -297,7 +297,7 @@ fn the_fields_of_a_name_are_those_that_its_things_have() {
     let shapes = library.names(Family::Shape).into_iter();
     let solids = shapes.chain(OPERATIONS.iter().map(|(group, _)| group.name.to_owned()));
     let solids = solids.map(|name| (Role::Solid, "objects", name));
-    let lights = LIGHTS.iter().map(|light| (Role::Light, "lights", light.name.to_owned()));
+    let lights = LIGHTS.iter().map(|(light, _)| (Role::Light, "lights", light.name.to_owned()));
     expect_none(solids.chain(lights).filter_map(|(role, list, name)| {
         let item = example(role, &name, &library).unwrap_or_else(|| panic!("no example of {name}"));
         let outline = outline_of(&format!("({list}: [{item}])"), "");

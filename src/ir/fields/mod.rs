@@ -153,3 +153,20 @@ impl Field {
         }
     }
 }
+
+/// What the shader knows of lights.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LightForm {
+    Point,
+    Directional,
+    Spot,
+    Rect,
+}
+
+/// A texture that no signature can say.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    Ramp,
+    Triplanar,
+    Image,
+}

@@ -1,7 +1,8 @@
 //! The tables themselves, in the words and with the figures of LANGUAGE.md.
 
 use super::{
-    Choice, Field, Group, Takes, color, field, flag, limits, number, texture_or_color, vector, word,
+    Choice, Field, Form, Group, LightForm, Takes, color, field, flag, limits, number, texture_or_color,
+    vector, word,
 };
 use crate::ir::{CsgOperation, MAX_BOUNCES};
 
@@ -46,47 +47,65 @@ const TONE_MAPS: &[Choice] = &[word("None"), word("Reinhard"), word("Aces"), wor
 pub const EVERY_LIGHT: &[Field] =
     &[color("color", 1.0, ""), number("intensity", 1.0, 0.0, 1e6, "a factor of the color")];
 
-pub const LIGHTS: &[Group] = &[
-    Group {
-        name: "Point",
-        fields: &[POSITION, LIGHT_RADIUS, FALLOFF],
-        example: "Point(position: (4, 6, 3))",
-        doc: "light from a point, in all directions",
-    },
-    Group {
-        name: "Directional",
-        fields: &[
-            vector("direction", None, "direction in which the light travels"),
-            number("angle_deg", 0.0, 0.0, 170.0, "the full angle of the light in the sky: softens shadows")
+pub const LIGHTS: &[(Group, LightForm)] = &[
+    (
+        Group {
+            name: "Point",
+            fields: &[POSITION, LIGHT_RADIUS, FALLOFF],
+            example: "Point(position: (4, 6, 3))",
+            doc: "light from a point, in all directions",
+        },
+        LightForm::Point,
+    ),
+    (
+        Group {
+            name: "Directional",
+            fields: &[
+                vector("direction", None, "direction in which the light travels"),
+                number(
+                    "angle_deg",
+                    0.0,
+                    0.0,
+                    170.0,
+                    "the full angle of the light in the sky: softens shadows",
+                )
                 .unit("degrees"),
-        ],
-        example: "Directional(direction: (-1, -2, -1))",
-        doc: "light in one direction, as from the sun",
-    },
-    Group {
-        name: "Spot",
-        fields: &[
-            POSITION,
-            vector("target", Some([0.0; 3]), "point in the middle of the cone"),
-            number("cone_deg", 30.0, 0.01, 179.0, "the full angle of the cone").unit("degrees"),
-            number("blend", 0.1, 0.0, 1.0, "outer share of the cone in which the light fades"),
-            LIGHT_RADIUS,
-            FALLOFF,
-        ],
-        example: "Spot(position: (0, 5, 0))",
-        doc: "light in a cone",
-    },
-    Group {
-        name: "Rect",
-        fields: &[
-            vector("corner", None, "").point(),
-            vector("u", None, "one side, from the corner"),
-            vector("v", None, "the other side, from the corner"),
-            FALLOFF,
-        ],
-        example: "Rect(corner: (-1, 5, -1), u: (2, 0, 0), v: (0, 0, 2))",
-        doc: "light of a parallelogram, with soft shadows",
-    },
+            ],
+            example: "Directional(direction: (-1, -2, -1))",
+            doc: "light in one direction, as from the sun",
+        },
+        LightForm::Directional,
+    ),
+    (
+        Group {
+            name: "Spot",
+            fields: &[
+                POSITION,
+                vector("target", Some([0.0; 3]), "point in the middle of the cone"),
+                number("cone_deg", 30.0, 0.01, 179.0, "the full angle of the cone").unit("degrees"),
+                number("blend", 0.1, 0.0, 1.0, "outer share of the cone in which the light fades"),
+                LIGHT_RADIUS,
+                FALLOFF,
+            ],
+            example: "Spot(position: (0, 5, 0))",
+            doc: "light in a cone",
+        },
+        LightForm::Spot,
+    ),
+    (
+        Group {
+            name: "Rect",
+            fields: &[
+                vector("corner", None, "").point(),
+                vector("u", None, "one side, from the corner"),
+                vector("v", None, "the other side, from the corner"),
+                FALLOFF,
+            ],
+            example: "Rect(corner: (-1, 5, -1), u: (2, 0, 0), v: (0, 0, 2))",
+            doc: "light of a parallelogram, with soft shadows",
+        },
+        LightForm::Rect,
+    ),
 ];
 
 const POSITION: Field = vector("position", None, "position of the light").point();
@@ -176,74 +195,83 @@ pub const BUMP: &[Field] = &[
 pub const EVERY_TEXTURE: &[Field] = &[field("at", Takes::Mapping, "mapping that moves the point first")];
 
 /// The textures that no signature can say.
-pub const FORMS: &[Group] = &[
-    Group {
-        name: "Ramp",
-        fields: &[
-            field("by", Takes::Number(limits(None, -1e6, 1e6)), "pattern that selects the color")
-                .varying()
-                .required(),
-            field("stops", Takes::Stops, "at least two, from low to high").required(),
-            field(
-                "interpolation",
-                Takes::Choice(&[word("Linear"), word("Smooth"), word("Constant")]),
-                "`Smooth` has no kinks at the stops, `Constant` keeps each color up to the next stop",
-            ),
-        ],
-        example: r##"Ramp(by: Noise(), stops: [(0, "#000"), (1, "#fff")])"##,
-        doc: "maps a pattern to the colors of its stops",
-    },
-    Group {
-        name: "Triplanar",
-        fields: &[
-            texture_or_color("of", 0.0, "texture to lay on").required(),
-            number(
-                "sharpness",
-                4.0,
-                1.0,
-                64.0,
-                "larger numbers make the sides blend over a shorter distance",
-            ),
-        ],
-        example: "Triplanar(of: Brick())",
-        doc: "lays on a flat texture from three sides, for shapes without good uv",
-    },
-    Group {
-        name: "Image",
-        fields: &[
-            field("file", Takes::File, "a PNG, JPEG, Radiance HDR or OpenEXR file beside the scene")
-                .required(),
-            field(
-                "width",
-                Takes::Number(limits(None, 1e-4, 1e6)),
-                "in scene units; default 1, but balls, the sky and models with uv are covered once",
-            ),
-            flag("repeat", true, "`true`: repeats beyond its edges"),
-            field(
-                "fit",
-                Takes::Choice(&[word("Auto"), word("Units"), word("Whole")]),
-                "`Units`: `width` wide, from uv = (0, 0) on; `Whole`: once over the whole surface",
-            ),
-            texture_or_color("under", 1.0, "color where the image is transparent"),
-            field(
-                "encoding",
-                Takes::Choice(&[word("Auto"), word("Srgb"), word("Linear")]),
-                "`Linear`: unchanged numbers; `Auto` uses it for numbers, not for colors",
-            ),
-            field(
-                "channel",
-                Takes::Choice(&[
-                    word("Color"),
-                    word("Luminance"),
-                    word("Red"),
-                    word("Green"),
-                    word("Blue"),
-                    word("Alpha"),
-                ]),
-                "all choices except `Color` make it a pattern",
-            ),
-        ],
-        example: r##"Image(file: "photo.png")"##,
-        doc: "a picture from a file, placed by uv, or once around a ball, the sky or a model",
-    },
+pub const FORMS: &[(Group, Form)] = &[
+    (
+        Group {
+            name: "Ramp",
+            fields: &[
+                field("by", Takes::Number(limits(None, -1e6, 1e6)), "pattern that selects the color")
+                    .varying()
+                    .required(),
+                field("stops", Takes::Stops, "at least two, from low to high").required(),
+                field(
+                    "interpolation",
+                    Takes::Choice(&[word("Linear"), word("Smooth"), word("Constant")]),
+                    "`Smooth` has no kinks at the stops, `Constant` keeps each color up to the next stop",
+                ),
+            ],
+            example: r##"Ramp(by: Noise(), stops: [(0, "#000"), (1, "#fff")])"##,
+            doc: "maps a pattern to the colors of its stops",
+        },
+        Form::Ramp,
+    ),
+    (
+        Group {
+            name: "Triplanar",
+            fields: &[
+                texture_or_color("of", 0.0, "texture to lay on").required(),
+                number(
+                    "sharpness",
+                    4.0,
+                    1.0,
+                    64.0,
+                    "larger numbers make the sides blend over a shorter distance",
+                ),
+            ],
+            example: "Triplanar(of: Brick())",
+            doc: "lays on a flat texture from three sides, for shapes without good uv",
+        },
+        Form::Triplanar,
+    ),
+    (
+        Group {
+            name: "Image",
+            fields: &[
+                field("file", Takes::File, "a PNG, JPEG, Radiance HDR or OpenEXR file beside the scene")
+                    .required(),
+                field(
+                    "width",
+                    Takes::Number(limits(None, 1e-4, 1e6)),
+                    "in scene units; default 1, but balls, the sky and models with uv are covered once",
+                ),
+                flag("repeat", true, "`true`: repeats beyond its edges"),
+                field(
+                    "fit",
+                    Takes::Choice(&[word("Auto"), word("Units"), word("Whole")]),
+                    "`Units`: `width` wide, from uv = (0, 0) on; `Whole`: once over the whole surface",
+                ),
+                texture_or_color("under", 1.0, "color where the image is transparent"),
+                field(
+                    "encoding",
+                    Takes::Choice(&[word("Auto"), word("Srgb"), word("Linear")]),
+                    "`Linear`: unchanged numbers; `Auto` uses it for numbers, not for colors",
+                ),
+                field(
+                    "channel",
+                    Takes::Choice(&[
+                        word("Color"),
+                        word("Luminance"),
+                        word("Red"),
+                        word("Green"),
+                        word("Blue"),
+                        word("Alpha"),
+                    ]),
+                    "all choices except `Color` make it a pattern",
+                ),
+            ],
+            example: r##"Image(file: "photo.png")"##,
+            doc: "a picture from a file, placed by uv, or once around a ball, the sky or a model",
+        },
+        Form::Image,
+    ),
 ];

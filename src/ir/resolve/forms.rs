@@ -3,18 +3,18 @@
 use super::Resolver;
 use super::limits::MAX_STOPS;
 use super::reader::Fields;
-use crate::ir::fields::{EVERY_TEXTURE, Group};
+use crate::ir::fields::{EVERY_TEXTURE, Form, Group};
 use crate::ir::{Call, Interpolation, Ramp, Triplanar, Value};
 use crate::library::Type;
 use crate::scene::{self, Kind, Record};
 
 impl Resolver<'_> {
     /// What `Name(…)` computes where that is one of [`crate::ir::fields::FORMS`].
-    pub fn form(&mut self, form: &Group, value: &scene::Value, want: Type) -> Option<Value> {
-        match form.name {
-            "Ramp" => self.ramp(form, value).map(|ramp| Value::Ramp(Box::new(ramp))),
-            "Triplanar" => self.triplanar(form, value).map(|form| Value::Triplanar(Box::new(form))),
-            _ => self.picture(form, value, want).map(|form| Value::Picture(Box::new(form))),
+    pub fn form(&mut self, (group, form): &(Group, Form), value: &scene::Value, want: Type) -> Option<Value> {
+        match form {
+            Form::Ramp => self.ramp(group, value).map(|ramp| Value::Ramp(Box::new(ramp))),
+            Form::Triplanar => self.triplanar(group, value).map(|form| Value::Triplanar(Box::new(form))),
+            Form::Image => self.picture(group, value, want).map(|form| Value::Picture(Box::new(form))),
         }
     }
 

@@ -6,7 +6,7 @@ use super::Resolver;
 use super::limits::MAX_LIGHTS;
 use super::reader::Fields;
 use crate::diagnostic::Diagnostic;
-use crate::ir::fields::{EVERY_LIGHT, LIGHTS};
+use crate::ir::fields::{EVERY_LIGHT, LIGHTS, LightForm};
 use crate::ir::{Light, LightKind};
 use crate::scene::{self, Kind, Record};
 
@@ -28,10 +28,10 @@ impl Resolver<'_> {
             self.mismatch(written, "a light such as `Point(position: (4, 6, 3))`");
             return None;
         };
-        let Some(known) = LIGHTS.iter().find(|light| light.name == name.text) else {
+        let Some((known, form)) = LIGHTS.iter().find(|(light, _)| light.name == name.text) else {
             let place = self.place(&name.span);
             let problem = Diagnostic::error(format!("there is no light `{}`", name.text)).at(place, "");
-            self.push(problem.suggest(&name.text, LIGHTS.iter().map(|light| light.name)));
+            self.push(problem.suggest(&name.text, LIGHTS.iter().map(|(light, _)| light.name)));
             return None;
         };
         let tables = [EVERY_LIGHT, known.fields];
@@ -39,17 +39,17 @@ impl Resolver<'_> {
         let default = fields.default_color("color");
         let color = fields.get("color").map_or(default, |color| self.constant_color(color));
         let intensity = fields.number(self, "intensity");
-        let kind = match name.text.as_str() {
-            "Point" => LightKind::Point {
+        let kind = match form {
+            LightForm::Point => LightKind::Point {
                 position: fields.vector(self, "position"),
                 radius: fields.number(self, "radius"),
             },
-            "Directional" => LightKind::Directional {
+            LightForm::Directional => LightKind::Directional {
                 direction: fields.direction(self, "direction"),
                 spread: (fields.number(self, "angle_deg").to_radians() / 2.0).tan(),
             },
-            "Spot" => self.spot(&mut fields, written),
-            _ => LightKind::Rect {
+            LightForm::Spot => self.spot(&mut fields, written),
+            LightForm::Rect => LightKind::Rect {
                 corner: fields.vector(self, "corner"),
                 u: fields.vector(self, "u"),
                 v: fields.vector(self, "v"),

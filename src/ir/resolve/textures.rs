@@ -111,7 +111,7 @@ impl<'a> Resolver<'a> {
     /// What `Name(…)` computes.
     pub fn texture(&mut self, value: &scene::Value, record: &Record, want: Type) -> Option<Value> {
         let name = record.name.as_ref().expect("the caller has looked");
-        if let Some(form) = FORMS.iter().find(|form| form.name == name.text) {
+        if let Some(form) = FORMS.iter().find(|(form, _)| form.name == name.text) {
             return self.form(form, value, want);
         }
         let function = self.function(Family::Texture, name)?;
@@ -140,7 +140,7 @@ impl<'a> Resolver<'a> {
                 let noun = family.noun();
                 let mut known = self.lookup.names(family);
                 match family {
-                    Family::Texture => known.extend(FORMS.iter().map(|form| form.name.to_owned())),
+                    Family::Texture => known.extend(FORMS.iter().map(|(form, _)| form.name.to_owned())),
                     Family::Shape => known.extend(OPERATIONS.iter().map(|(group, _)| group.name.to_owned())),
                 }
                 let place = self.place(&name.span);
@@ -198,7 +198,7 @@ impl<'a> Resolver<'a> {
             self.mismatch(value, "a mapping such as `Turbulence()`");
             return None;
         };
-        let is_form = FORMS.iter().any(|form| form.name == name.text);
+        let is_form = FORMS.iter().any(|(form, _)| form.name == name.text);
         let function = if is_form { None } else { Some(self.function(Family::Texture, name)?) };
         match function.filter(|f| f.kind == Kind::Mapping) {
             Some(function) => self.call(function, value),
