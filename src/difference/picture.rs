@@ -7,13 +7,13 @@ use image::{ImageFormat, Rgb, RgbImage};
 use crate::compile::Compiled;
 use crate::frame::Moment;
 use crate::gpu::{Gpu, GpuError, Identity, Picture, Renderer};
-use crate::judge::{Area, Broken, Change, Limits, Verdict, change, judge};
+use crate::judge::{Area, Broken, Limits, PictureShift, Verdict, change, judge};
 
 /// Two pictures of one size, and how far they are apart.
 #[derive(Clone, Debug)]
 pub struct PictureDifference {
     pub verdict: Verdict,
-    pub change: Option<Change>,
+    pub change: Option<PictureShift>,
     /// The objects that showed where pixels are off, and the share of those pixels, the most first. Empty
     /// where there is no scene of the first picture.
     pub before: Vec<(String, f64)>,
@@ -106,8 +106,8 @@ impl PictureDifference {
     /// The sentence of what a person would see: how, where, and in which objects.
     pub fn seen(&self) -> String {
         let how = match self.change {
-            Some(Change::Shift { word, by }) => format!("{word} by about {by:.1} of 100"),
-            Some(Change::Elsewhere { by }) => {
+            Some(PictureShift::Shift { word, by }) => format!("{word} by about {by:.1} of 100"),
+            Some(PictureShift::Elsewhere { by }) => {
                 format!("something moved or looks different: off by about {by:.1} of 100")
             }
             None => "no visible change".into(),

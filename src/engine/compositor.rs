@@ -2,7 +2,7 @@
 
 use super::messages::{FORMAT, Texels, ViewRequest};
 use crate::compile::Compiled;
-use crate::gpu::{Display, Gpu, GpuError, Light, Line, Lines, Target, Tracer, gizmo};
+use crate::gpu::{Display, Gpu, GpuError, Line, Lines, LitColumns, Target, Tracer, gizmo};
 
 /// What turns samples into a picture.
 pub struct Compositor {
@@ -26,7 +26,7 @@ impl Compositor {
         let target = canvas.create_view(&Default::default());
         let whole = Target { corner: [0.0; 2], zoom: 1.0 };
         let columns = look.view.columns_of_light(look.split, tracer.size()[0]);
-        let light = Light { render: &compiled.scene.render, columns };
+        let light = LitColumns { render: &compiled.scene.render, columns };
         self.display.draw(tracer.picture(), Some(light), &target, whole);
         if look.gizmos {
             let camera = look.camera.unwrap_or(compiled.scene.camera);

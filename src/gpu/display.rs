@@ -30,7 +30,7 @@ pub struct Target {
 
 /// The part of a picture that holds light, and how it is to be shown. The rest are values.
 #[derive(Clone, Debug)]
-pub struct Light<'a> {
+pub struct LitColumns<'a> {
     pub render: &'a ir::Render,
     /// Pixels of the picture, from the left.
     pub columns: Range<u32>,
@@ -74,7 +74,7 @@ impl Display {
     pub fn draw(
         &self,
         picture: &wgpu::Texture,
-        light: Option<Light<'_>>,
+        light: Option<LitColumns<'_>>,
         target: &wgpu::TextureView,
         place: Target,
     ) {

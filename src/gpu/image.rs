@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use super::parts::{Parts, lay};
 use super::slices::{SLICE, Subject, draw_sample};
-use super::{Display, Gpu, GpuError, Identity, Light, Pace, Pipeline, Region, Target, Tracer};
+use super::{Display, Gpu, GpuError, Identity, LitColumns, Pace, Pipeline, Region, Target, Tracer};
 use crate::compile::Compiled;
 use crate::frame::{Moment, sample_offset};
 use crate::ir;
@@ -231,7 +231,7 @@ impl Renderer {
         let light = moment.view.columns_of_light(moment.split, self.size[0]);
         let [left, right] = [light.start, light.end]
             .map(|column| column.clamp(region.columns.start, region.columns.end) - region.columns.start);
-        let light = Light { render: &self.options, columns: left..right };
+        let light = LitColumns { render: &self.options, columns: left..right };
         self.display.draw(tracer.picture(), Some(light), &target, place);
         let width = self.size[0];
         let rgba: Vec<[u8; 4]> = bytemuck::pod_collect_to_vec(&self.display.read(canvas)?);

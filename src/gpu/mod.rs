@@ -24,7 +24,7 @@ mod tracer;
 
 pub use adapters::{AdapterChoice, ask_no_absent_display};
 pub use device::{Gpu, prefer_quick_compiles};
-pub use display::{Display, Light, Target};
+pub use display::{Display, LitColumns, Target};
 pub use error::GpuError;
 pub use identity::{Identity, Seen, Survey};
 pub use image::{MAX_SIDE, Picture, PictureTimes, Renderer, render};

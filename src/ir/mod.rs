@@ -20,7 +20,7 @@ pub use render::{MAX_BOUNCES, Render, ToneMap, Transfer};
 pub use resolve::{default_name, placed, resolve};
 pub use solid::{Csg, CsgOperation, Object, Primitive, Solid, Space};
 pub use surface::{
-    Bump, Call, Fit, Interpolation, Material, Picture, Property, Ramp, Texture, Triplanar, Value,
+    Bump, Call, Fit, ImageTexture, Interpolation, Material, Property, Ramp, Texture, Triplanar, Value,
 };
 
 use crate::assets::{Image, Model};

@@ -71,7 +71,7 @@ impl Point {
                 place.own += 1;
                 place.others.push((SIDES, Point::of([&form.of])));
             }
-            Value::Picture(picture) => {
+            Value::Image(picture) => {
                 self.images.push(picture.image);
                 picture.under.iter().for_each(|under| self.add(under));
                 let place = match picture.fit {

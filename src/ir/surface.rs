@@ -17,7 +17,7 @@ pub enum Value {
     Texture(usize),
     Ramp(Box<Ramp>),
     Triplanar(Box<Triplanar>),
-    Picture(Box<Picture>),
+    Image(Box<ImageTexture>),
     /// A number as a color.
     Grey(Box<Value>),
     /// A color as a number.
@@ -67,7 +67,7 @@ pub struct Triplanar {
 
 /// An image that lies on the uv plane.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Picture {
+pub struct ImageTexture {
     /// What moves the point first.
     pub at: Option<Box<Call>>,
     /// One of [`super::Scene::images`].

@@ -12,7 +12,7 @@ mod tolerance;
 use image::RgbImage;
 
 pub use flip::{PIXELS_PER_DEGREE, flip, flip_map};
-pub use seen::{Change, change};
+pub use seen::{PictureShift, change};
 pub use structure::{Structure, WINDOW, structure};
 pub use tolerance::{Area, Outliers, Pixel, outliers};
 

@@ -6,7 +6,7 @@ use super::color::{lab, linear};
 
 /// How the pixels that differ have changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Change {
+pub enum PictureShift {
     /// Most of them in one way: a word such as "darker", and by how much on L*a*b*'s scale, where black and
     /// white are 100 apart.
     Shift { word: &'static str, by: f64 },
@@ -19,7 +19,7 @@ const ONE_WAY: f64 = 0.5;
 
 /// The change of the pixels in which a channel differs by more than `tolerance`; to all that differ where
 /// no pixel does by so much. None where the pictures are the same.
-pub fn change(expected: &RgbImage, actual: &RgbImage, tolerance: u8) -> Option<Change> {
+pub fn change(expected: &RgbImage, actual: &RgbImage, tolerance: u8) -> Option<PictureShift> {
     let pairs = || expected.pixels().zip(actual.pixels());
     let differs = |tolerance: u8| {
         move |(a, b): &(&image::Rgb<u8>, &image::Rgb<u8>)| {
@@ -40,11 +40,11 @@ pub fn change(expected: &RgbImage, actual: &RgbImage, tolerance: u8) -> Option<C
     }
     let (mean, size) = (mean.map(|x| x / count), size / count);
     if length(mean) < ONE_WAY * size {
-        return Some(Change::Elsewhere { by: size });
+        return Some(PictureShift::Elsewhere { by: size });
     }
     let words = [["darker", "brighter"], ["greener", "redder"], ["bluer", "yellower"]];
     let most = (0..3).max_by(|i, j| mean[*i].abs().total_cmp(&mean[*j].abs()))?;
-    Some(Change::Shift { word: words[most][usize::from(mean[most] > 0.0)], by: mean[most].abs() })
+    Some(PictureShift::Shift { word: words[most][usize::from(mean[most] > 0.0)], by: mean[most].abs() })
 }
 
 fn length(v: [f64; 3]) -> f64 {

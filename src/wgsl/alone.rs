@@ -2,7 +2,7 @@
 //!
 //! In: a [`Scene`], and what its camera and settings come to. Out: a [`Source`] with other entry points.
 
-use super::code::{Code, Lines};
+use super::code::{Code, CodeLines};
 use super::numbers::Numbers;
 use super::{Host, Mode, Source, Writer};
 use crate::ir::{Render, Scene, ToneMap, Transfer};
@@ -26,7 +26,7 @@ pub fn generate_alone(scene: &Scene, host: Host, settings: &[(&str, Const)]) -> 
 }
 
 /// The function `shown`: what shaders/display.wgsl does in raytoy, with nothing left to choose.
-fn display(render: &Render, numbers: &mut Numbers) -> Lines {
+fn display(render: &Render, numbers: &mut Numbers) -> CodeLines {
     let mut number = |x: f32| numbers.constant(Const::F32(x));
     let exposed = || [Code::atom("exposed")];
     let gain = number(render.gain);
@@ -41,7 +41,7 @@ fn display(render: &Render, numbers: &mut Numbers) -> Lines {
         Transfer::Srgb => Code::call("encodedSrgb", [toned]),
         Transfer::Gamma(gamma) => Code::call("pow", [toned, Code::call("vec3f", [number(1.0 / gamma)])]),
     };
-    let mut lines = Lines::default();
+    let mut lines = CodeLines::default();
     lines.push("");
     lines.push("/// Light as a screen shows it, by the scene's exposure, tone map and transfer curve.");
     lines.push("fn shown(light: vec3f) -> vec3f {");
@@ -52,8 +52,8 @@ fn display(render: &Render, numbers: &mut Numbers) -> Lines {
 }
 
 /// The function `setScene`, which fills the fields of `frame` that stay as they are.
-fn preset(settings: &[(&str, Const)], numbers: &mut Numbers) -> Lines {
-    let mut lines = Lines::default();
+fn preset(settings: &[(&str, Const)], numbers: &mut Numbers) -> CodeLines {
+    let mut lines = CodeLines::default();
     lines.push("");
     lines.push("/// The scene's camera and settings.");
     lines.push("fn setScene() {");

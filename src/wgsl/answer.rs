@@ -1,6 +1,6 @@
 //! How the cases of a switch give what their function returns.
 
-use super::code::Lines;
+use super::code::CodeLines;
 
 /// The most cases that return. Mesa's software driver puts all that follows a `return` into a branch of its
 /// own, one in the other, and loses count of more than 80. What is assigned leaves nothing to follow.
@@ -31,9 +31,9 @@ impl Answer {
     }
 
     /// `switch selector` with `cases`, whose lines are eight columns in.
-    pub fn switch(&self, selector: &str, cases: Lines) -> Lines {
+    pub fn switch(&self, selector: &str, cases: CodeLines) -> CodeLines {
         let Self { name, ty, is_returned } = self;
-        let mut lines = Lines::default();
+        let mut lines = CodeLines::default();
         if !is_returned {
             lines.push(format!("    var {name}: {ty};"));
         }

@@ -16,7 +16,7 @@ pub enum Code {
 
 /// Lines of text, without their ends.
 #[derive(Default)]
-pub struct Lines(Vec<String>);
+pub struct CodeLines(Vec<String>);
 
 impl Code {
     pub fn atom(text: impl Into<String>) -> Self {
@@ -59,12 +59,12 @@ impl Code {
     }
 }
 
-impl Lines {
+impl CodeLines {
     pub fn push(&mut self, line: impl Into<String>) {
         self.0.push(line.into());
     }
 
-    pub fn extend(&mut self, lines: Lines) {
+    pub fn extend(&mut self, lines: CodeLines) {
         self.0.extend(lines.0);
     }
 
@@ -107,8 +107,8 @@ pub fn one_line(text: &str) -> String {
 }
 
 /// Names after `head`, over as many comment lines as they need; nothing where there are none.
-pub fn list(head: &str, names: &[&str]) -> Lines {
-    let mut lines = Lines::default();
+pub fn list(head: &str, names: &[&str]) -> CodeLines {
+    let mut lines = CodeLines::default();
     let mut line = head.to_owned();
     for (i, name) in names.iter().enumerate() {
         let end = if i + 1 < names.len() { ", " } else { "" };

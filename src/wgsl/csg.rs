@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Writer;
-use super::code::{Code, Lines};
+use super::code::{Code, CodeLines};
 use super::names::Names;
 use super::primitives::WrittenPrimitive;
 use crate::ir::{Csg, CsgOperation, Scene, Solid};
@@ -32,19 +32,19 @@ pub fn function_names(scene: &Scene, names: &mut Names) -> BTreeMap<String, Stri
 
 impl Writer<'_> {
     /// The functions of `solid` and of all its parts; nothing for a shape.
-    pub fn csg_functions(&self, solid: &Solid, primitives: &[WrittenPrimitive]) -> Lines {
-        let mut lines = Lines::default();
+    pub fn csg_functions(&self, solid: &Solid, primitives: &[WrittenPrimitive]) -> CodeLines {
+        let mut lines = CodeLines::default();
         let Solid::Csg(csg) = solid else { return lines };
         lines.extend(self.csg(csg, primitives));
         csg.parts.iter().for_each(|part| lines.extend(self.csg_functions(part, primitives)));
         lines
     }
 
-    fn csg(&self, csg: &Csg, primitives: &[WrittenPrimitive]) -> Lines {
+    fn csg(&self, csg: &Csg, primitives: &[WrittenPrimitive]) -> CodeLines {
         // A ray keeps its t in every space, so it is moved once.
         let mut spaces: Vec<&Code> = vec![];
         let parts = self.parts(csg, primitives, &mut spaces);
-        let mut lines = Lines::default();
+        let mut lines = CodeLines::default();
         lines.push("");
         let head = format!("\"{}\": ", csg.name);
         lines.push(self.caption(0, &head, &csg.caption).replacen("//", "///", 1));
@@ -126,8 +126,8 @@ impl Writer<'_> {
     }
 
     /// The next crossing of a part with the rest of the ray.
-    fn ask_part(&self, part: &Part, solid: &Solid, primitives: &[WrittenPrimitive]) -> Lines {
-        let mut lines = Lines::default();
+    fn ask_part(&self, part: &Part, solid: &Solid, primitives: &[WrittenPrimitive]) -> CodeLines {
+        let mut lines = CodeLines::default();
         let Part { name, ray, .. } = part;
         let index = match solid {
             Solid::Csg(inner) => {
@@ -161,11 +161,11 @@ fn inside(
     parts: &[Part],
     yes: impl Fn(&Part) -> String,
     no: impl Fn(&Part) -> String,
-) -> Lines {
+) -> CodeLines {
     let cut = |i: usize| operation == CsgOperation::Difference && i > 0;
     let terms = parts.iter().enumerate().map(|(i, part)| if cut(i) { no(part) } else { yes(part) });
     let operator = if operation == CsgOperation::Union { "||" } else { "&&" };
-    let mut lines = Lines::default();
+    let mut lines = CodeLines::default();
     lines.chain(8, &format!("let {name} = "), operator, &terms.collect::<Vec<_>>(), ";");
     lines
 }

@@ -1,7 +1,7 @@
 //! Crossings and surfaces of shapes that give only a distance.
 
 use super::Writer;
-use super::code::{self, Code, Lines};
+use super::code::{self, Code, CodeLines};
 use super::primitives::WrittenPrimitive;
 use super::values::Block;
 use crate::ir::Value;
@@ -18,8 +18,8 @@ struct Field {
 
 impl Writer<'_> {
     /// For each such shape what the others bring along: a function of a ray, and one of a point.
-    pub fn marches(&mut self, primitives: &[WrittenPrimitive]) -> Lines {
-        let mut lines = Lines::default();
+    pub fn marches(&mut self, primitives: &[WrittenPrimitive]) -> CodeLines {
+        let mut lines = CodeLines::default();
         let mut fields: Vec<Field> = vec![];
         for (index, primitive) in self.scene.primitives.iter().enumerate() {
             if primitive.is_textured() {
@@ -43,7 +43,7 @@ impl Writer<'_> {
     }
 
     /// The distance to an object, with the textures that it takes, and the box that holds it.
-    fn textured(&mut self, index: usize, name: &str, written: &WrittenPrimitive) -> Lines {
+    fn textured(&mut self, index: usize, name: &str, written: &WrittenPrimitive) -> CodeLines {
         let scene = self.scene;
         let primitive = &scene.primitives[index];
         let mut block = Block::of(&primitive.arguments, scene);
@@ -55,7 +55,7 @@ impl Writer<'_> {
             });
         }
         let shape = &primitive.shape.wgsl_name;
-        let mut lines = Lines::default();
+        let mut lines = CodeLines::default();
         lines.push("");
         let doc = format!("/// The distance to \"{}\", with the textures that shape it.", primitive.name);
         lines.push(code::one_line(&doc));
@@ -104,8 +104,8 @@ impl Field {
         Code::call(format!("{}{suffix}", self.name), parameters)
     }
 
-    fn crossing(&self) -> Lines {
-        let mut lines = Lines::default();
+    fn crossing(&self) -> CodeLines {
+        let mut lines = CodeLines::default();
         lines.push("");
         lines.push(format!("/// Where `ray` first changes sides of {}Distance.", self.name));
         lines.statement(0, "fn ", &self.declared("", "ray: Ray"), " -> f32 {");
@@ -121,8 +121,8 @@ impl Field {
         lines
     }
 
-    fn surface(&self) -> Lines {
-        let mut lines = Lines::default();
+    fn surface(&self) -> CodeLines {
+        let mut lines = CodeLines::default();
         lines.push("");
         lines.statement(0, "fn ", &self.declared("Surface", "p: vec3f"), " -> Surface {");
         let step = Code::call("normalStep", [self.call("Bounds", None)]);

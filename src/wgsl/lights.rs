@@ -2,19 +2,19 @@
 
 use super::Writer;
 use super::answer::Answer;
-use super::code::{Code, Lines};
+use super::code::{Code, CodeLines};
 use crate::ir::{Light, LightKind};
 use crate::library::Const;
 
 impl Writer<'_> {
-    pub fn lights(&mut self) -> Lines {
+    pub fn lights(&mut self) -> CodeLines {
         let scene = self.scene;
-        let mut lines = Lines::default();
+        let mut lines = CodeLines::default();
         lines.push("");
         lines.push("/// The light `index` as the world point `p` sees it.");
         lines.push("fn lightAt(index: u32, p: vec3f) -> Light {");
         let answer = Answer::new(scene.lights.len(), "its_light", "Light");
-        let mut cases = Lines::default();
+        let mut cases = CodeLines::default();
         for (index, light) in scene.lights.iter().enumerate() {
             let code = self.light(light);
             cases.push(self.caption(8, &format!("lights[{index}]: "), &light.caption));

@@ -2,13 +2,13 @@
 
 use super::Writer;
 use super::answer::Answer;
-use super::code::{Code, Lines};
+use super::code::{Code, CodeLines};
 use super::values::Block;
 use crate::ir::{Material, Property, Value};
 use crate::library::Const;
 
 impl Writer<'_> {
-    pub fn materials(&mut self) -> Lines {
+    pub fn materials(&mut self) -> CodeLines {
         let mut lines = self.material_of_object();
         for (index, material) in self.scene.materials.iter().enumerate() {
             if self.scene.primitives.iter().any(|o| o.material == index) {
@@ -22,13 +22,13 @@ impl Writer<'_> {
         lines
     }
 
-    fn material_of_object(&self) -> Lines {
-        let mut lines = Lines::default();
+    fn material_of_object(&self) -> CodeLines {
+        let mut lines = CodeLines::default();
         lines.push("");
         lines.push("/// The material of `object` at its surface point `at`.");
         lines.push("fn materialAt(object: u32, at: Surface) -> Material {");
         let answer = Answer::new(self.scene.materials.len(), "its_material", "Material");
-        let mut cases = Lines::default();
+        let mut cases = CodeLines::default();
         for (index, name) in self.material_names.iter().enumerate() {
             if let Some(objects) = self.cases(|material| material == index) {
                 let given = answer.given(&format!("{name}(at)"));
@@ -53,7 +53,7 @@ impl Writer<'_> {
         }
     }
 
-    fn material(&mut self, index: usize, material: &Material) -> Lines {
+    fn material(&mut self, index: usize, material: &Material) -> CodeLines {
         let mut block = Block::of(material.properties.iter().map(|(_, value)| value), self.scene);
         let mut settings = vec![];
         let mut color = Code::call("vec3f", [Code::atom("0.8")]);
@@ -64,7 +64,7 @@ impl Writer<'_> {
                 other => settings.push((field(*other), code)),
             }
         }
-        let mut lines = Lines::default();
+        let mut lines = CodeLines::default();
         lines.push("");
         lines.push(format!("fn {}(at: Surface) -> Material {{", self.material_names[index]));
         lines.extend(block.lines);
@@ -82,9 +82,9 @@ impl Writer<'_> {
         lines
     }
 
-    fn variation(&self) -> Lines {
+    fn variation(&self) -> CodeLines {
         let varies = |material: usize| self.scene.materials[material].is_textured();
-        let mut lines = Lines::default();
+        let mut lines = CodeLines::default();
         lines.push("");
         lines.push("/// Whether the material of `object` varies over its surface.");
         lines.push("fn isTextured(object: u32) -> bool {");
@@ -101,10 +101,10 @@ impl Writer<'_> {
         lines
     }
 
-    fn bumps(&mut self) -> Lines {
+    fn bumps(&mut self) -> CodeLines {
         let scene = self.scene;
         let bumped = |material: usize| scene.materials[material].bump.is_some();
-        let mut lines = Lines::default();
+        let mut lines = CodeLines::default();
         lines.push("");
         lines.push("/// The world normal of `object` at `met`.");
         lines.push("fn normalAt(object: u32, met: Placed) -> vec3f {");
@@ -122,7 +122,7 @@ impl Writer<'_> {
         lines.push("/// The height of `object` over its surface at `at`, scene units.");
         lines.push("fn heightAt(object: u32, at: Surface) -> f32 {");
         let answer = Answer::new(scene.materials.len(), "its_height", "f32");
-        let mut cases = Lines::default();
+        let mut cases = CodeLines::default();
         for (index, material) in scene.materials.iter().enumerate() {
             let Some(bump) = &material.bump else { continue };
             let Some(objects) = self.cases(|m| m == index) else { continue };
@@ -141,12 +141,12 @@ impl Writer<'_> {
         lines
     }
 
-    fn background(&mut self) -> Lines {
+    fn background(&mut self) -> CodeLines {
         let scene = self.scene;
         let mut block = Block::of([&scene.background], scene);
         let color = self.value(&scene.background, "at", &mut block, 4);
         let ambient = self.numbers.constant(Const::Vec3(scene.ambient));
-        let mut lines = Lines::default();
+        let mut lines = CodeLines::default();
         lines.push("");
         lines.push("/// What a ray sees that leaves the scene in `direction`.");
         lines.push("fn background(direction: vec3f) -> vec3f {");

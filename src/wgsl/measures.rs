@@ -2,15 +2,15 @@
 
 use super::Writer;
 use super::answer::Answer;
-use super::code::{Code, Lines};
+use super::code::{Code, CodeLines};
 use super::values::Block;
 use crate::ir::{Measure, Property, Value};
 use crate::library::{Const, Type};
 
 impl Writer<'_> {
     /// `measuredAt`, in place of shaders/unmeasured.wgsl; nothing where the scene measures nothing.
-    pub fn measured(&mut self) -> Lines {
-        let mut lines = Lines::default();
+    pub fn measured(&mut self) -> CodeLines {
+        let mut lines = CodeLines::default();
         let Some(measure) = self.scene.measure else { return lines };
         lines.push("");
         lines.push("/// The number that is measured where `hit` meets the surface point `at`.");
@@ -34,10 +34,10 @@ impl Writer<'_> {
     }
 
     /// A case for each material.
-    fn patterns(&mut self) -> Lines {
+    fn patterns(&mut self) -> CodeLines {
         let scene = self.scene;
         let answer = Answer::new(scene.materials.len(), "its_number", "f32");
-        let mut cases = Lines::default();
+        let mut cases = CodeLines::default();
         for (index, material) in scene.materials.iter().enumerate() {
             let Some(objects) = self.cases(|m| m == index) else { continue };
             let color = material.properties.iter().find(|(property, _)| *property == Property::Color);

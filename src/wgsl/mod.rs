@@ -22,7 +22,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 pub use self::alone::generate_alone;
-use self::code::Lines;
+use self::code::CodeLines;
 use self::names::Names;
 use self::numbers::Numbers;
 pub use self::sections::Host;
@@ -172,7 +172,7 @@ impl<'a> Writer<'a> {
     }
 
     /// All of the scene's own section but its head. What it uses is known only afterwards.
-    fn scene_text(&mut self) -> Lines {
+    fn scene_text(&mut self) -> CodeLines {
         let objects = self.objects();
         let materials = self.materials();
         let measured = self.measured();
@@ -188,7 +188,7 @@ impl<'a> Writer<'a> {
     }
 
     /// The module that opens with `text`.
-    fn sections(self, text: Lines, host: Host) -> Source {
+    fn sections(self, text: CodeLines, host: Host) -> Source {
         let own = Section { name: format!("generated from {}", self.scene.name), text: text.finish().into() };
         let needed = sections::needed(&own, &self.used, host);
         let unmeasured = (host == Host::Raytoy && self.scene.measure.is_none()).then(sections::unmeasured);
@@ -209,8 +209,8 @@ impl<'a> Writer<'a> {
         code::comment(indent, &format!("{head}{words}"))
     }
 
-    fn title(&self) -> Lines {
-        let mut lines = Lines::default();
+    fn title(&self) -> CodeLines {
+        let mut lines = CodeLines::default();
         lines.push(code::one_line(&format!("// Generated from {}", title_of(self.scene))));
         lines.push(
             "// Do not edit: change the scene, or a file in shapes/ or textures/, and this is written again.",
@@ -220,8 +220,8 @@ impl<'a> Writer<'a> {
     }
 
     /// What the scene is made of.
-    fn contents(&self) -> Lines {
-        let mut lines = Lines::default();
+    fn contents(&self) -> CodeLines {
+        let mut lines = CodeLines::default();
         let names: Vec<&str> = self.scene.primitives.iter().map(|o| o.name.as_str()).collect();
         lines.extend(code::list("//   objects   ", &names));
         let kind = |shape: bool| {
@@ -237,8 +237,8 @@ impl<'a> Writer<'a> {
         lines
     }
 
-    fn constants(&self) -> Lines {
-        let mut lines = Lines::default();
+    fn constants(&self) -> CodeLines {
+        let mut lines = CodeLines::default();
         lines.push("");
         for (i, name) in self.object_names.iter().enumerate() {
             lines.push(format!("const {name}: u32 = {i}u;"));

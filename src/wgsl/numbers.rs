@@ -1,7 +1,7 @@
 //! The only place that prints a number: as a literal, or as a slot of the scene's data.
 
 use super::Mode;
-use super::code::{Code, Lines};
+use super::code::{Code, CodeLines};
 use crate::library::{Const, Type};
 
 /// The numbers of one scene, in the order in which they are written.
@@ -31,8 +31,8 @@ impl Numbers {
     }
 
     /// The only reader of the slots; nothing when baked.
-    pub fn accessor(&self) -> Lines {
-        let mut lines = Lines::default();
+    pub fn accessor(&self) -> CodeLines {
+        let mut lines = CodeLines::default();
         if self.mode == Mode::Live {
             let fours = self.data.len().div_ceil(4).max(1);
             lines.push("");

@@ -1,7 +1,7 @@
 //! `rayTraceScene`, and its sibling for shadows.
 
 use super::Writer;
-use super::code::{Code, Lines};
+use super::code::{Code, CodeLines};
 use super::primitives::{MAX_PER_FUNCTION, WrittenPrimitive, local};
 use crate::ir::{Object, Solid};
 use crate::library::Const;
@@ -30,10 +30,10 @@ struct Question {
     /// The head for a part of them, by its number.
     part_head: fn(usize) -> String,
     /// Asks so many parts, and ends the function.
-    ask_parts: fn(&mut Lines, usize),
+    ask_parts: fn(&mut CodeLines, usize),
     before: &'static [&'static str],
     part_before: &'static [&'static str],
-    ask: fn(&mut Lines, usize, &WrittenObject),
+    ask: fn(&mut CodeLines, usize, &WrittenObject),
 }
 
 const CLOSEST: Question = Question {
@@ -71,7 +71,7 @@ const BLOCKED: Question = Question {
 };
 
 impl Writer<'_> {
-    pub fn objects(&mut self) -> Lines {
+    pub fn objects(&mut self) -> CodeLines {
         let scene = self.scene;
         let primitives: Vec<WrittenPrimitive> =
             scene.primitives.iter().map(|primitive| self.primitive(primitive)).collect();
@@ -120,9 +120,9 @@ impl Writer<'_> {
     }
 }
 
-fn asked(question: &Question, objects: &[&WrittenObject]) -> Lines {
+fn asked(question: &Question, objects: &[&WrittenObject]) -> CodeLines {
     let parts: Vec<&[&WrittenObject]> = objects.chunks(MAX_PER_FUNCTION).collect();
-    let mut lines = Lines::default();
+    let mut lines = CodeLines::default();
     lines.push("");
     lines.push(question.doc);
     lines.push(question.head);
@@ -146,7 +146,7 @@ fn asked(question: &Question, objects: &[&WrittenObject]) -> Lines {
 }
 
 /// Asks `object`, inside a test of its bounds where the author gave some.
-fn ask(question: &Question, object: &WrittenObject, lines: &mut Lines) {
+fn ask(question: &Question, object: &WrittenObject, lines: &mut CodeLines) {
     if question.is_captioned {
         lines.push(object.caption.as_str());
     }

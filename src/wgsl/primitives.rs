@@ -2,7 +2,7 @@
 
 use super::Writer;
 use super::answer::Answer;
-use super::code::{Code, Lines};
+use super::code::{Code, CodeLines};
 use crate::ir::{Primitive, Space, Value};
 use crate::library::Const;
 
@@ -53,15 +53,15 @@ impl Writer<'_> {
         Code::call(function, [first].into_iter().chain(written.arguments.iter().cloned()))
     }
 
-    pub fn surfaces(&self, written: &[WrittenPrimitive]) -> Lines {
-        let mut lines = Lines::default();
+    pub fn surfaces(&self, written: &[WrittenPrimitive]) -> CodeLines {
+        let mut lines = CodeLines::default();
         let chunks = written.len().div_ceil(MAX_PER_FUNCTION);
         lines.push("");
         lines.push("/// The surface of `object` at the world point `p`.");
         lines.push("fn surfaceAt(object: u32, p: vec3f) -> Placed {");
         if chunks > 1 {
             let answer = Answer::new(written.len(), "its_surface", "Placed");
-            let mut cases = Lines::default();
+            let mut cases = CodeLines::default();
             for i in 0..chunks {
                 let case = if i + 1 < chunks { format!("case {i}u") } else { "default".into() };
                 let given = answer.given(&format!("surfacePart{i}(object, p)"));
@@ -82,9 +82,9 @@ impl Writer<'_> {
         lines
     }
 
-    fn surface_switch(&self, first: usize, written: &[WrittenPrimitive]) -> Lines {
+    fn surface_switch(&self, first: usize, written: &[WrittenPrimitive]) -> CodeLines {
         let answer = Answer::new(written.len(), "its_surface", "Placed");
-        let mut lines = Lines::default();
+        let mut lines = CodeLines::default();
         for (i, written) in written.iter().enumerate() {
             let index = first + i;
             let inverted = self.scene.primitives[index].inverted;

@@ -3,15 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::Writer;
-use super::code::{self, Code, Lines};
+use super::code::{self, Code, CodeLines};
 use super::sharing::{Sharing, called};
 use crate::ir::points::Point;
-use crate::ir::{Call, Fit, Interpolation, Measure, Picture, Ramp, Scene, Triplanar, Value};
+use crate::ir::{Call, Fit, ImageTexture, Interpolation, Measure, Ramp, Scene, Triplanar, Value};
 use crate::library::{Const, Type};
 
 /// The statements before the expression that a function returns.
 pub struct Block {
-    pub lines: Lines,
+    pub lines: CodeLines,
     count: usize,
     /// For each point, by its name, which named textures are evaluated once.
     shared: BTreeMap<String, Sharing>,
@@ -23,7 +23,7 @@ impl Block {
     /// The start of a function that evaluates `values` at its parameter `at`.
     pub fn of<'v>(values: impl IntoIterator<Item = &'v Value>, scene: &Scene) -> Self {
         let shared = [("at".to_owned(), Sharing::at(&Point::of(values), scene))].into();
-        Self { lines: Lines::default(), count: 0, shared, known: BTreeMap::new() }
+        Self { lines: CodeLines::default(), count: 0, shared, known: BTreeMap::new() }
     }
 
     /// A new local, defined by `keyword name = code;`.
@@ -47,7 +47,7 @@ impl Writer<'_> {
             Value::Call(call) => self.call(call, at, block, indent),
             Value::Ramp(ramp) => self.ramp(ramp, at, block, indent),
             Value::Triplanar(form) => self.triplanar(form, at, block, indent),
-            Value::Picture(picture) => self.picture(picture, at, block, indent),
+            Value::Image(picture) => self.picture(picture, at, block, indent),
         }
     }
 
@@ -141,7 +141,7 @@ impl Writer<'_> {
         Code::atom(sum)
     }
 
-    fn picture(&mut self, picture: &Picture, at: &str, block: &mut Block, indent: usize) -> Code {
+    fn picture(&mut self, picture: &ImageTexture, at: &str, block: &mut Block, indent: usize) -> Code {
         let under = picture.under.as_ref().map(|under| self.value(under, at, block, indent));
         let whole = match picture.fit {
             Fit::Surface => None,
@@ -180,8 +180,8 @@ impl Writer<'_> {
     }
 
     /// What the images are bound to.
-    pub fn images(&self) -> Lines {
-        let mut lines = Lines::default();
+    pub fn images(&self) -> CodeLines {
+        let mut lines = CodeLines::default();
         for (i, index) in self.images_in_use.iter().enumerate() {
             lines.push("");
             lines.push(code::one_line(&format!("/// {}", self.scene.images[*index].file)));
@@ -191,7 +191,7 @@ impl Writer<'_> {
     }
 
     /// The functions of the declared textures that something uses, in the author's order.
-    pub fn textures(&mut self) -> Lines {
+    pub fn textures(&mut self) -> CodeLines {
         let scene = self.scene;
         let mut reached = BTreeSet::new();
         let mut reach = |values: &[&Value]| called(&Point::of(values.iter().copied()), scene, &mut reached);
@@ -204,7 +204,7 @@ impl Writer<'_> {
             reach(&material.properties.iter().map(|(_, value)| value).collect::<Vec<_>>());
             material.bump.iter().for_each(|bump| reach(&[&bump.height]));
         }
-        let mut lines = Lines::default();
+        let mut lines = CodeLines::default();
         for index in reached {
             let texture = &scene.textures[index];
             let mut block = Block::of([&texture.value], scene);

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use device::gpu;
 use raytoy::frame::{FrameUniforms, Moment};
-use raytoy::gpu::{Display, Gpu, Light, Target, Tracer, render};
+use raytoy::gpu::{Display, Gpu, LitColumns, Target, Tracer, render};
 use raytoy::sketch::Sketch;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
@@ -77,7 +77,7 @@ fn sketch(gpu: &Gpu, display: &Display, compiled: &Compiled) -> bool {
     let mut tracer = Tracer::new(gpu, size).expect("the size is small");
     tracer.fill(&pixels);
     let canvas = display.canvas(tracer.picture(), wgpu::TextureFormat::Rgba8Unorm);
-    let light = Light { render, columns: moment.view.columns_of_light(None, size[0]) };
+    let light = LitColumns { render, columns: moment.view.columns_of_light(None, size[0]) };
     let target = canvas.create_view(&Default::default());
     display.draw(tracer.picture(), Some(light), &target, Target { corner: [0.0; 2], zoom: 1.0 });
     gpu.wait().expect("the device answers");

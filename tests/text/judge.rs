@@ -2,7 +2,7 @@
 
 use image::{Rgb, RgbImage};
 use raytoy::judge::{
-    Area, Broken, Change, Limits, PIXELS_PER_DEGREE, change, flip, flip_map, judge, outliers, structure,
+    Area, Broken, Limits, PIXELS_PER_DEGREE, PictureShift, change, flip, flip_map, judge, outliers, structure,
 };
 
 const SIZE: [u32; 2] = [48, 32];
@@ -179,7 +179,7 @@ fn each_limit_can_be_broken_alone() {
 #[test]
 fn a_change_is_told_in_a_persons_words() {
     let told = |a: [u8; 3], b: [u8; 3]| match change(&plain(a), &plain(b), 3) {
-        Some(Change::Shift { word, by }) => format!("{word} by {by:.0}"),
+        Some(PictureShift::Shift { word, by }) => format!("{word} by {by:.0}"),
         other => format!("{other:?}"),
     };
     assert_eq!(told([0; 3], [255; 3]), "brighter by 100");
@@ -187,7 +187,7 @@ fn a_change_is_told_in_a_persons_words() {
     assert_eq!(told([120, 120, 120], [150, 110, 115]), "redder by 17");
     assert_eq!(told([120, 120, 120], [115, 118, 150]), "bluer by 18");
     let moved = change(&pattern(), &Pair::Shifted.changed(), 3);
-    assert!(matches!(moved, Some(Change::Elsewhere { by }) if by > 5.0), "{moved:?}");
+    assert!(matches!(moved, Some(PictureShift::Elsewhere { by }) if by > 5.0), "{moved:?}");
 }
 
 fn plain(color: [u8; 3]) -> RgbImage {

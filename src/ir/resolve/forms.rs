@@ -14,7 +14,7 @@ impl Resolver<'_> {
         match form {
             Form::Ramp => self.ramp(group, value).map(|ramp| Value::Ramp(Box::new(ramp))),
             Form::Triplanar => self.triplanar(group, value).map(|form| Value::Triplanar(Box::new(form))),
-            Form::Image => self.picture(group, value, want).map(|form| Value::Picture(Box::new(form))),
+            Form::Image => self.picture(group, value, want).map(|form| Value::Image(Box::new(form))),
         }
     }
 

@@ -7,13 +7,13 @@ use super::{Resolver, Usage};
 use crate::assets::{Channel, Image, Reading};
 use crate::diagnostic::Diagnostic;
 use crate::ir::fields::{EVERY_TEXTURE, Group};
-use crate::ir::{Fit, Picture, Value};
+use crate::ir::{Fit, ImageTexture, Value};
 use crate::library::{Const, Type};
 use crate::scene::{self, Kind};
 
 impl Resolver<'_> {
     /// An image, which gives a number where one is wanted.
-    pub fn picture(&mut self, form: &Group, value: &scene::Value, want: Type) -> Option<Picture> {
+    pub fn picture(&mut self, form: &Group, value: &scene::Value, want: Type) -> Option<ImageTexture> {
         let mut fields = Fields::of(self, value, "`Image`", &[EVERY_TEXTURE, form.fields]);
         let at = self.at(&mut fields);
         let file = fields.require(self, "file");
@@ -44,7 +44,7 @@ impl Resolver<'_> {
         };
         // Where it is whole and goes on for ever, nothing is seen under it.
         let under = under.filter(|_| self.images[image].0.has_alpha || !repeat);
-        Some(Picture { at: at?, image, ty, width, fit, under, repeat })
+        Some(ImageTexture { at: at?, image, ty, width, fit, under, repeat })
     }
 
     fn reading(&mut self, fields: &mut Fields<'_>, want: Type) -> Reading {

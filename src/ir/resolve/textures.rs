@@ -103,7 +103,7 @@ impl<'a> Resolver<'a> {
             Value::Call(call) if call.function.kind == Kind::Pattern => Type::F32,
             Value::Texture(index) => self.textures[*index].ty,
             Value::Luminance(_) => Type::F32,
-            Value::Picture(picture) => picture.ty,
+            Value::Image(picture) => picture.ty,
             _ => Type::Vec3,
         }
     }
