@@ -256,12 +256,12 @@ fn what_a_texture_cannot_do_on_its_own_is_told() {
     };
     assert_eq!(
         error("waves", "return f32(countOneBits(u32(at.uv.x)));", Language::Glsl),
-        "the scene cannot stand on its own: Shadertoy has no `countOneBits`, which `waves` uses"
+        "the scene cannot be exported: Shadertoy has no `countOneBits`, which `waves` uses"
     );
     let unknown = "return f32(select(vec2u(1u), vec2u(2u), at.uv > vec2f(0.0)).x);";
     assert_eq!(
         error("waves", unknown, Language::Glsl),
-        "the scene cannot stand on its own: Shadertoy has no `select` for vectors of whole numbers, which `waves` \
+        "the scene cannot be exported: Shadertoy has no `select` for vectors of whole numbers, which `waves` \
          uses; write one for each component"
     );
 }
@@ -272,7 +272,7 @@ fn a_shadertoy_with_files_is_refused() {
     assert_eq!(told.status.code(), Some(2));
     assert_eq!(
         String::from_utf8_lossy(&told.stderr),
-        "raytoy: a Shadertoy cannot be given images and models from files: leave out what uses \
+        "raytoy: Shadertoy cannot read images and models from files: remove everything that uses \
          `scenes/models/knot.obj`, `scenes/models/gem.glb`\n"
     );
 }
@@ -342,8 +342,8 @@ fn the_command_writes_texels_beside_the_shader() {
         assert!(told.stdout.is_empty(), "{call:?}");
         assert_eq!(
             String::from_utf8_lossy(&told.stderr),
-            "raytoy: images and models of a scene go to a second file, beside that of the shader; name one, as in \
-             `-o scene.wgsl`\n"
+            "raytoy: the images and models of the scene go to a second file beside the shader; name a file for \
+             the shader, as in `-o scene.wgsl`\n"
         );
     }
 }
@@ -377,7 +377,7 @@ fn bytes_do_not_go_to_a_terminal() {
     let told = String::from_utf8_lossy(&told.stdout).into_owned();
     assert_eq!(
         told.trim_end(),
-        "raytoy: SPIR-V is no text for a terminal; name a file, as in `-o scene.spv`"
+        "raytoy: SPIR-V is binary and cannot be shown in a terminal; name a file, as in `-o scene.spv`"
     );
 }
 
