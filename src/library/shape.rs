@@ -9,7 +9,7 @@ use super::{Family, Parameter, Type};
 use crate::diagnostic::Diagnostic;
 
 /// A shape whose docs have a line that starts so cannot be a part of another.
-const OPEN: &str = "has no inside";
+const OPEN: &str = "encloses nothing";
 /// A doc line that starts so names the shape's points: it moves as they move together.
 const POINTS: &str = "moves with ";
 

@@ -85,7 +85,7 @@ fn warning(text: &str) -> Option<String> {
     let outcome = outcome_of("a.ron", text, Mode::Baked);
     assert!(outcome.compiled.is_some(), "{text}: {}", outcome.report);
     let messages = outcome.report.diagnostics.into_iter().map(|problem| problem.message);
-    messages.into_iter().find(|message| message.contains("so far from the origin"))
+    messages.into_iter().find(|message| message.contains("too far from the origin"))
 }
 
 /// The share of pixels that are as the reference has them.
