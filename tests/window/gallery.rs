@@ -24,8 +24,8 @@ const ABOVE: [i16; 2] = [290, 150];
 /// In the button `Only try`, beside its words.
 const ONLY_TRY: [i16; 2] = [838, 8];
 /// In the button by which changes are written, beside its words.
-const WRITE: [i16; 2] = [565, 380];
-const DROP: [i16; 2] = [515, 380];
+const WRITE: [i16; 2] = [602, 380];
+const DROP: [i16; 2] = [545, 380];
 
 const RED: [u8; 3] = [255, 0, 0];
 const GREEN: [u8; 3] = [0, 255, 0];
