@@ -7,7 +7,7 @@
 //!            parse           resolve      generate        validate          build            draw
 //! ```
 //!
-//! [`compile`] is the front door to all that needs no GPU:
+//! [`compile()`] is the front door to all that needs no GPU:
 //!
 //! ```
 //! use raytoy::{compile, sources::Sources, wgsl::Mode};

@@ -69,7 +69,7 @@ impl Compiled {
         Ok(Self { text: self.text.clone(), scene, source, module, times: self.times })
     }
 
-    /// This scene with the entry points by which a [`gpu::Probe`] asks it.
+    /// This scene with the entry points by which a [`crate::gpu::Probe`] asks it.
     ///
     /// # Errors
     /// If naga refuses them, since a file of the author's has a function of the same name.
