@@ -196,7 +196,7 @@ pub struct GenerateOptions {
 #[command(after_help = "\
 A golden is a stored result that a person has looked at. A scene x.ron has two beside it: x.wgsl,
 the shader, and x.png, a small picture. The file x.test.ron sets size, samples and limits of a test.
-Goldens of a scene that no longer exists fail, and --bless removes them.
+Goldens of a scene that no longer exists fail, and --bless with its name removes them.
 
 Examples:
   raytoy test                           all scenes, textures and shapes below this folder

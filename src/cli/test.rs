@@ -26,7 +26,9 @@ pub fn run(options: &TestOptions) -> Result {
             let _ = progress(done as f32 / count);
         })
     });
-    outcomes.extend(gone.into_iter().map(|gone| gone.outcome(bench.bless)));
+    // A file is removed only where its scene is named: it might be an author's own after all.
+    let removes = options.bless.as_ref().is_some_and(|name| !name.is_empty());
+    outcomes.extend(gone.into_iter().map(|gone| gone.outcome(removes)));
     outcomes.sort_by(|a, b| a.case.name.cmp(&b.case.name));
     let run = Run { outcomes, adapter: devices[0].describe(), call: call(options) };
     if let Some(path) = &options.report {

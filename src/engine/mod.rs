@@ -1,7 +1,7 @@
 //! The threads that compile and draw while a scene is edited, and what they and the window send each other.
 //!
-//! In: orders and wishes. Out: notices, with pictures. It knows neither windows nor widgets. Its threads only
-//! ever send:
+//! In: commands. Out: events, with pictures. It knows neither windows nor widgets. Its threads
+//! only ever send:
 //!
 //! ```text
 //! watcher ─► builder (compile, make the pipeline) ─► painter (draw) ─► window (show, ask for another look)

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use image::{ImageFormat, RgbImage};
 
 use super::Case;
+use crate::assets::is_lfs_pointer;
 
 /// Where goldens lie.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -38,8 +39,6 @@ impl Goldens {
     }
 }
 
-/// Git LFS has this at the start of a file that it has not fetched.
-const POINTER: &str = "version https://git-lfs";
 const NOT_FETCHED: &str = "it is a pointer of Git LFS, not the golden: `git lfs pull` fetches it";
 
 /// The text of a golden; None where there is none.
@@ -48,7 +47,7 @@ const NOT_FETCHED: &str = "it is a pointer of Git LFS, not the golden: `git lfs 
 /// Why it cannot be read.
 pub fn read_text(path: &Path) -> Result<Option<String>, String> {
     match std::fs::read_to_string(path) {
-        Ok(text) if text.starts_with(POINTER) => Err(NOT_FETCHED.into()),
+        Ok(text) if is_lfs_pointer(text.as_bytes()) => Err(NOT_FETCHED.into()),
         // A checkout on Windows may have changed the ends of the lines.
         Ok(text) => Ok(Some(text.replace("\r\n", "\n"))),
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
@@ -62,7 +61,7 @@ pub fn read_text(path: &Path) -> Result<Option<String>, String> {
 /// Why it cannot be read.
 pub fn read_picture(path: &Path) -> Result<Option<RgbImage>, String> {
     match std::fs::read(path) {
-        Ok(bytes) if bytes.starts_with(POINTER.as_bytes()) => Err(NOT_FETCHED.into()),
+        Ok(bytes) if is_lfs_pointer(&bytes) => Err(NOT_FETCHED.into()),
         Ok(bytes) => match image::load_from_memory_with_format(&bytes, ImageFormat::Png) {
             Ok(picture) => Ok(Some(picture.to_rgb8())),
             Err(error) => Err(error.to_string()),

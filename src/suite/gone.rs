@@ -53,10 +53,10 @@ pub fn find_gone(sources: &Sources, goldens: &Goldens, paths: &[PathBuf]) -> Res
 }
 
 impl Gone {
-    /// Reports the goldens, or removes them where `bless` asks for it.
-    pub fn outcome(self, bless: bool) -> Outcome {
+    /// Reports the goldens, or removes them.
+    pub fn outcome(self, removes: bool) -> Outcome {
         let mut outcome = Outcome::new(&self.case);
-        if !bless {
+        if !removes {
             outcome.failures.push(Failure::Gone(self.goldens));
             return outcome;
         }

@@ -1,4 +1,4 @@
-//! The window's thread: winit's events in, wishes out. It never compiles, draws a scene or waits for the GPU.
+//! The window's thread: winit's events in, commands out. It never compiles, draws a scene or waits for a GPU.
 
 use std::path::Path;
 use std::sync::Arc;

@@ -35,6 +35,7 @@ const IMPORTS: &[(&str, &[&str])] = &[
     (
         "suite",
         &[
+            "assets",
             "compile",
             "diagnostic",
             "difference",

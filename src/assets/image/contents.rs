@@ -9,7 +9,7 @@ pub fn refusal(bytes: &[u8]) -> String {
     if bytes.is_empty() {
         return "is empty: save or fetch it again".into();
     }
-    if bytes.starts_with(b"version https://git-lfs") {
+    if crate::assets::is_lfs_pointer(bytes) {
         return "is a pointer of Git LFS, not the picture: run `git lfs pull` to fetch it".into();
     }
     if start.starts_with(b"<!doctype html") || start.starts_with(b"<html") {

@@ -130,7 +130,7 @@ impl Model {
 
 fn read(bytes: &[u8], beside: &mut Beside<'_>) -> Result<Findings, String> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    if bytes.starts_with(b"version https://git-lfs") {
+    if super::is_lfs_pointer(bytes) {
         return Err("is a pointer of Git LFS, not the model: run `git lfs pull` to fetch it".into());
     }
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {

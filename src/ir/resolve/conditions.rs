@@ -44,7 +44,7 @@ impl Resolver<'_> {
             Relation::Slanted => (format!("{all} are parallel"), "turn one of them"),
             Relation::OffLine => (format!("{all} are on one line"), "move one of them off the line"),
             Relation::Less => {
-                (format!("`{}` must be greater than `{}`", names[0], names[1]), "change one of them")
+                (format!("`{}` must be less than `{}`", names[0], names[1]), "change one of them")
             }
         };
         // At the last of them that is written, else at the whole.

@@ -99,8 +99,8 @@ impl Resolver<'_> {
         let step = f64::from(f32::EPSILON) * away.log2().floor().exp2();
         let digits = (-step.log10().floor()).max(0.0) as usize;
         let help = format!(
-            "move the scene to the origin, its camera and lights too: {away:.0} units away a step is \
-             {step:.digits$}, so shadows and then surfaces go wrong"
+            "move the scene, its camera and its lights to the origin: {away:.0} units away, numbers are \
+             {step:.digits$} apart, so shadows and then surfaces go wrong"
         );
         let place = self.place(&first.span);
         self.push(Diagnostic::warning(message).at(place, "").help(help));
