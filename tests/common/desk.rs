@@ -138,6 +138,12 @@ impl Desk {
         self.wait_for(name, |event| event["event"] == name)
     }
 
+    /// The pipelines that raytoy has made so far, by its last word on it.
+    pub fn pipelines(&mut self) -> Option<u64> {
+        self.seen.extend(self.events.try_iter());
+        self.seen.iter().filter_map(|event| event["pipelines"].as_u64()).max()
+    }
+
     /// The color on the screen at a point, pixels from the top left.
     pub fn color_at(&self, x: i16, y: i16) -> [u8; 3] {
         let image = self.screen.get_image(ImageFormat::Z_PIXMAP, self.root, x, y, 1, 1, !0);

@@ -47,10 +47,6 @@ fn opened() -> Option<(TempDir, PathBuf, Desk)> {
     Some((home, file, desk))
 }
 
-fn pipelines(desk: &Desk) -> Option<u64> {
-    desk.seen.iter().filter_map(|event| event["pipelines"].as_u64()).max()
-}
-
 /// The numbers between `before` and `after` in `text`, and the text without them.
 fn numbers(text: &str, before: &str, after: &str) -> (Vec<f32>, String) {
     let (start, rest) = text.split_once(before).unwrap_or_else(|| panic!("no {before} in {text}"));
@@ -70,7 +66,7 @@ fn an_object_follows_the_hand_along_its_axis_and_escape_and_undo_take_it_back() 
     desk.click(BALL);
     desk.wait_for_event("chosen");
     desk.wait_for_color(ARROW[0], ARROW[1], X_ARROW);
-    let made = pipelines(&desk);
+    let made = desk.pipelines();
     let to = [ARROW[0] + 100, ARROW[1] - 40];
 
     desk.hold(ARROW);
@@ -111,13 +107,13 @@ fn an_object_follows_the_hand_along_its_axis_and_escape_and_undo_take_it_back() 
     desk.hold_key(CONTROL, false);
     let snapped = wait_for_text(&file, |text| text != SCENE);
     assert_eq!(snapped, SCENE.replace("center: (0, 0, 0)", "center: (0.5, 0, 0)"));
-    assert_eq!(pipelines(&desk), made, "numbers make no pipeline");
+    assert_eq!(desk.pipelines(), made, "numbers make no pipeline");
 }
 
 #[test]
 fn a_light_is_chosen_by_its_sign_and_moved_by_its_handles() {
     let Some((_home, file, mut desk)) = opened() else { return };
-    let made = pipelines(&desk);
+    let made = desk.pipelines();
     desk.focus();
     desk.press(&[], b'g'.into());
     desk.click(LIGHT);
@@ -134,7 +130,7 @@ fn a_light_is_chosen_by_its_sign_and_moved_by_its_handles() {
     desk.press(&[CONTROL], b'z'.into());
     wait_for_text(&file, |text| text == SCENE);
     desk.wait_for_color(arrow[0], arrow[1], Y_ARROW);
-    assert_eq!(pipelines(&desk), made, "numbers make no pipeline");
+    assert_eq!(desk.pipelines(), made, "numbers make no pipeline");
     // Without handles, what is under the pointer is the picture.
     desk.press(&[], b'm'.into());
     desk.wait_for_color(arrow[0], arrow[1], BLACK);

@@ -81,8 +81,7 @@ fn radius(text: &str) -> (f32, String) {
 #[test]
 fn a_drag_changes_the_number_in_the_file_and_undo_takes_it_back() {
     let Some((_home, file, mut desk)) = chosen() else { return };
-    let pipelines = |desk: &Desk| desk.seen.iter().filter_map(|e| e["pipelines"].as_u64()).max();
-    let made = pipelines(&desk);
+    let made = desk.pipelines();
     drag_radius(&desk, || text(&file) != SCENE);
     let changed = wait_for_text(&file, |text| text != SCENE);
     let (number, rest) = radius(&changed);
@@ -92,7 +91,7 @@ fn a_drag_changes_the_number_in_the_file_and_undo_takes_it_back() {
     desk.click(UNDO);
     wait_for_text(&file, |text| text == SCENE);
     desk.wait_for_color(ABOVE[0], ABOVE[1], BLACK);
-    assert_eq!(pipelines(&desk), made, "numbers make no pipeline");
+    assert_eq!(desk.pipelines(), made, "numbers make no pipeline");
 }
 
 #[test]
