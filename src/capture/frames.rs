@@ -3,7 +3,7 @@
 use std::ops::{ControlFlow, Range};
 use std::path::{Path, PathBuf};
 
-use super::{CaptureError, Format, Shot};
+use super::{CaptureError, Format, Shot, Small};
 use crate::files::write_file;
 use crate::frame::Moment;
 use crate::gpu::PictureTimes;
@@ -26,7 +26,8 @@ pub struct Numbered {
     after: String,
 }
 
-/// Writes each of `frames` to a picture of its own; `shot` says all but the time. Returns what each took.
+/// Writes each of `frames` to a picture of its own; `shot` says all but the time. Returns what each took,
+/// and the first one small.
 ///
 /// Pictures that are whole stay, even if it is stopped or fails.
 ///
@@ -37,22 +38,29 @@ pub fn stills(
     frames: &Frames,
     names: &Numbered,
     progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
-) -> Result<Vec<PictureTimes>, CaptureError> {
+) -> Result<(Vec<PictureTimes>, Small), CaptureError> {
     let mut renderer = shot.renderer()?;
-    frames.each(shot, progress, |number, shot, progress| {
-        let still = shot.still(&mut renderer, names.format, progress)?;
+    let times = frames.each(shot, progress, |number, shot, progress| {
+        let mut bytes = vec![];
+        let times = shot.write(&mut bytes, &mut renderer, names.format, progress)?;
         let path = names.path(number);
         std::fs::create_dir_all(&names.folder)
-            .and_then(|()| write_file(&path, &still.bytes))
+            .and_then(|()| write_file(&path, &bytes))
             .map_err(|error| CaptureError::File(path, error))?;
-        Ok(still.times)
-    })
+        Ok(times)
+    })?;
+    Ok((times, frames.shot(shot, frames.numbers.start).small(&renderer)?))
 }
 
 impl Frames {
     /// Seconds since the scene began.
     pub fn time(&self, number: u32) -> f32 {
         (f64::from(number) / self.rate) as f32
+    }
+
+    /// What `shot` is at the time of a frame.
+    pub fn shot<'a>(&self, shot: &Shot<'a>, number: u32) -> Shot<'a> {
+        Shot { moment: Moment { time: self.time(number), ..shot.moment }, ..*shot }
     }
 
     /// Does `work` for each frame, with its number, its shot, and the progress within it.
@@ -68,8 +76,7 @@ impl Frames {
     ) -> Result<Vec<PictureTimes>, CaptureError> {
         let count = self.numbers.len() as f32;
         let frame = |(done, number): (usize, u32)| {
-            let shot = Shot { moment: Moment { time: self.time(number), ..shot.moment }, ..*shot };
-            work(number, &shot, &mut |share| progress((done as f32 + share) / count))
+            work(number, &self.shot(shot, number), &mut |share| progress((done as f32 + share) / count))
         };
         self.numbers.clone().enumerate().map(frame).collect()
     }

@@ -51,13 +51,12 @@ pub enum Format {
 pub struct Still {
     pub bytes: Vec<u8>,
     pub times: PictureTimes,
-    /// One sample of the same moment in the size `SAMPLE`, by which a driver is held to account: only of
-    /// those that run on the processor, which may draw wrong without a word.
-    pub sample: Option<Vec<[f32; 4]>>,
+    pub small: Small,
 }
 
-/// Pixels of a [`Still::sample`].
-pub const SAMPLE: [u32; 2] = [16, 16];
+/// The first moment of a capture in the size [`SMALL`](crate::gpu::SMALL), by which a driver is held to
+/// account: only of those that run on the processor, which may draw wrong without a word.
+pub type Small = Option<Vec<[f32; 4]>>;
 
 /// Why there is no capture.
 #[derive(Debug)]
@@ -87,11 +86,9 @@ pub fn still(
     progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
 ) -> Result<Still, CaptureError> {
     let mut renderer = shot.renderer()?;
-    let mut still = shot.still(&mut renderer, format, progress)?;
-    if shot.gpu.is_software() {
-        still.sample = Some(renderer.sample(&Moment { split: None, ..shot.moment }, SAMPLE)?);
-    }
-    Ok(still)
+    let mut bytes = vec![];
+    let times = shot.write(&mut bytes, &mut renderer, format, progress)?;
+    Ok(Still { bytes, times, small: shot.small(&renderer)? })
 }
 
 /// The same, which goes to `out` as it is drawn: so a PNG file may be larger than the memory, and no
@@ -106,10 +103,8 @@ pub fn still_to(
     progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
 ) -> Result<Still, CaptureError> {
     let mut renderer = shot.renderer()?;
-    let times = shot.still_to(out, &mut renderer, format, progress)?;
-    let moment = Moment { split: None, ..shot.moment };
-    let sample = shot.gpu.is_software().then(|| renderer.sample(&moment, SAMPLE)).transpose()?;
-    Ok(Still { bytes: vec![], times, sample })
+    let times = shot.write(out, &mut renderer, format, progress)?;
+    Ok(Still { bytes: vec![], times, small: shot.small(&renderer)? })
 }
 
 impl Format {
@@ -145,18 +140,12 @@ impl Shot<'_> {
         renderer.draw(&self.moment, self.samples, progress)?.ok_or(CaptureError::Stopped)
     }
 
-    fn still(
-        &self,
-        renderer: &mut Renderer,
-        format: Format,
-        progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
-    ) -> Result<Still, CaptureError> {
-        let mut bytes = vec![];
-        let times = self.still_to(&mut bytes, renderer, format, progress)?;
-        Ok(Still { bytes, times, sample: None })
+    fn small(&self, renderer: &Renderer) -> Result<Small, CaptureError> {
+        let moment = Moment { split: None, ..self.moment };
+        Ok(self.gpu.is_software().then(|| renderer.small(&moment)).transpose()?)
     }
 
-    fn still_to(
+    fn write(
         &self,
         out: &mut dyn Write,
         renderer: &mut Renderer,

@@ -8,7 +8,7 @@ use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::Duration;
 
-use super::{CaptureError, Frames, Shot, extension};
+use super::{CaptureError, Frames, Shot, Small, extension};
 use crate::files::Draft;
 use crate::gpu::PictureTimes;
 
@@ -26,8 +26,8 @@ pub enum MovieFormat {
 /// Browsers slow down what goes faster.
 const FASTEST_GIF: f64 = 50.0;
 
-/// Writes `frames` to a movie at `path`; `shot` says all but the time. Returns what each took. Whatever
-/// happens, the file is the one before or the whole new one.
+/// Writes `frames` to a movie at `path`; `shot` says all but the time. Returns what each took, and the first
+/// one small. Whatever happens, the file is the one before or the whole new one.
 ///
 /// # Errors
 /// Where there is no ffmpeg or it fails, the format does not take the size or the rate, the GPU refuses the
@@ -38,7 +38,7 @@ pub fn movie(
     path: &Path,
     format: MovieFormat,
     progress: &mut dyn FnMut(f32) -> ControlFlow<()>,
-) -> Result<Vec<PictureTimes>, CaptureError> {
+) -> Result<(Vec<PictureTimes>, Small), CaptureError> {
     format.check(shot.size, frames.rate)?;
     let unwritten = |error| CaptureError::File(path.to_owned(), error);
     let draft = Draft::beside(path).map_err(unwritten)?;
@@ -51,7 +51,7 @@ pub fn movie(
     })?;
     ffmpeg.finish(progress)?;
     draft.keep().map_err(unwritten)?;
-    Ok(times)
+    Ok((times, frames.shot(shot, frames.numbers.start).small(&renderer)?))
 }
 
 impl MovieFormat {

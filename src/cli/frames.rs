@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::args::RenderOptions;
 use super::progress::with_progress;
-use super::shot::{compiled, shot};
+use super::shot::{compiled, shot, warn_of_driver};
 use super::stats::Stats;
 use super::words::LONGEST_TIME;
 use super::{Failure, Result, print_report, write_output};
@@ -41,12 +41,13 @@ pub fn run(options: &RenderOptions, numbers: Range<u32>) -> Result {
         print_report(&Report { diagnostics: vec![problem], ..Report::default() });
     }
     let shot = shot(options, &gpu, &compiled);
-    let times = with_progress(&compiled.scene.name, |progress| match &output {
+    let (times, small) = with_progress(&compiled.scene.name, |progress| match &output {
         Output::Pictures(names) => capture::stills(&shot, &frames, names, progress),
         Output::Movie(format) => capture::movie(&shot, &frames, path, *format, progress),
     })?;
     let noun = if count == 1 { "frame" } else { "frames" };
     eprintln!("{}: {count} {noun} of {}x{}", path.display(), shot.size[0], shot.size[1]);
+    warn_of_driver(&frames.shot(&shot, frames.numbers.start), &small);
     if let Some(path) = &options.stats {
         let all: Vec<Stats> = times.iter().map(|times| Stats::new(&shot, times)).collect();
         write_output(path, Stats::json(&all).as_bytes())?;

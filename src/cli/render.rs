@@ -1,23 +1,16 @@
 //! `raytoy render`: scenes to picture files.
 
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use super::args::RenderOptions;
 use super::progress::with_progress;
-use super::shot::{compiled, shot, shows_numbers};
+use super::shot::{compiled, shot, shows_numbers, warn_of_driver};
 use super::stats::Stats;
 use super::{Failure, Result, frames, print_report, write_output};
-use crate::capture::{self, CaptureError, Format, MovieFormat, SAMPLE, Shot};
-use crate::diagnostic::{Diagnostic, Report};
+use crate::capture::{self, CaptureError, Format, MovieFormat, Shot};
 use crate::files::write_file_with;
-use crate::frame::Moment;
 use crate::gpu::Gpu;
-use crate::sketch::canary::{self, Doubt};
 use crate::suite::is_settings;
-
-/// A picture must not wait longer for the question whether it is right.
-const MAX_FOR_DOUBTS: Duration = Duration::from_millis(200);
 
 pub fn run(options: &RenderOptions) -> Result {
     if let Some(name) = options.value.as_ref().filter(|_| !shows_numbers(options)) {
@@ -100,24 +93,6 @@ fn draw(shot: &Shot<'_>, output: &Path) -> Result<Stats> {
     if output != Path::new("-") {
         eprintln!("{}: {}x{}", output.display(), shot.size[0], shot.size[1]);
     }
-    if let Some(doubt) = drawn.sample.as_ref().and_then(|seen| {
-        let moment = Moment { split: None, ..shot.moment };
-        canary::doubt(shot.compiled, &moment, SAMPLE, seen, MAX_FOR_DOUBTS)
-    }) {
-        print_report(&Report { diagnostics: vec![doubtful(shot, doubt)], texts: Default::default() });
-    }
+    warn_of_driver(shot, &drawn.small);
     Ok(Stats::new(shot, &drawn.times))
-}
-
-fn doubtful(shot: &Shot<'_>, doubt: Doubt) -> Diagnostic {
-    let Doubt { wrong, pixels } = doubt;
-    let name = &shot.compiled.scene.name;
-    let message =
-        format!("the driver draws `{name}` wrong: {wrong} of {pixels} tested pixels have the wrong color");
-    Diagnostic::warning(message)
-        .help(format!(
-            "the driver is {}; choose another GPU with --adapter, or install another version",
-            shot.gpu.describe()
-        ))
-        .help("a texture or shape with too many branches can cause this; `raytoy check` reports it")
 }

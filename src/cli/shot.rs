@@ -4,11 +4,13 @@ use std::path::PathBuf;
 
 use super::args::RenderOptions;
 use super::{Failure, Result};
-use crate::capture::Shot;
+use crate::capture::{Shot, Small};
 use crate::compile::Compiled;
+use crate::diagnostic::Report;
 use crate::frame::{Moment, Split, View};
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, SMALL};
 use crate::ir::Measure;
+use crate::sketch::canary;
 use crate::wgsl::Mode;
 
 /// The scene as the options ask for it, with the number that the view `value` shows, if it is to be seen.
@@ -36,6 +38,16 @@ pub fn shot<'a>(options: &RenderOptions, gpu: &'a Gpu, compiled: &'a Compiled) -
     let split = options.split.map(|view| Split { view, at });
     let moment = Moment { view, split, reach, time, ..Moment::of(&compiled.scene) };
     Shot { gpu, compiled, moment, size: options.size, samples: options.samples }
+}
+
+/// Prints a warning where the driver does not draw what the scene says; `small` is the shot as it drew it.
+pub fn warn_of_driver(shot: &Shot<'_>, small: &Small) {
+    let Some(small) = small else { return };
+    let moment = Moment { split: None, ..shot.moment };
+    if let Some(doubt) = canary::doubt(shot.compiled, &moment, SMALL, small, canary::PATIENCE) {
+        let warning = doubt.warning(&shot.compiled.scene.name, &shot.gpu.describe());
+        super::print_report(&Report { diagnostics: vec![warning], ..Report::default() });
+    }
 }
 
 /// Whether the view `value` is to be seen.

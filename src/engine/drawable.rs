@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use super::builder_messages::Version;
 use super::events::Change;
+use crate::diagnostic::{Diagnostic, Report};
 use crate::gpu::{Gpu, Pipeline};
 use crate::sketch::Sketch;
 
@@ -26,6 +27,9 @@ pub struct Drawable {
     pub is_shown: bool,
     /// Whether a picture of it was drawn whole, in which it did no harm.
     pub is_proven: bool,
+    /// Whether the driver was held to account for it, and what it is doubted over.
+    pub is_examined: bool,
+    pub doubt: Option<Diagnostic>,
     pub edit: u64,
     /// Whether a snippet reads the clock, or the mouse.
     pub moves: bool,
@@ -43,8 +47,8 @@ impl Drawable {
         let same_file = before.filter(|before| before.version.compiled.scene.name == *name);
         let sketch_cost = same_file.map_or(FIRST_COST, |before| before.sketch_cost);
         let (sketch, baked) = (version.sketch.take(), version.baked.take());
-        let full =
-            before.filter(|_| version.change == Change::Numbers).and_then(|before| before.full.clone());
+        let same_text = before.filter(|_| version.change == Change::Numbers);
+        let full = same_text.and_then(|before| before.full.clone());
         let is_warm = full.is_some();
         Self {
             version,
@@ -55,6 +59,8 @@ impl Drawable {
             is_warm,
             is_shown: false,
             is_proven: false,
+            is_examined: same_text.is_some_and(|before| before.is_examined),
+            doubt: same_text.and_then(|before| before.doubt.clone()),
             edit,
             moves,
             reads_mouse,
@@ -76,6 +82,13 @@ impl Drawable {
     pub fn sketch_for(&self, views: bool) -> Option<&Sketch> {
         let sketch = self.sketch.as_ref().filter(|sketch| sketch.has_views || !views);
         sketch.filter(|_| self.pipeline(views).is_none())
+    }
+
+    /// All that makes the picture doubtful; `warnings` are those of the scene's files.
+    pub fn warned(&self, warnings: &Report) -> Report {
+        let mut all = warnings.clone();
+        all.diagnostics.extend(self.doubt.clone());
+        all
     }
 
     /// The pipelines get this version's numbers, unless they have them written out.

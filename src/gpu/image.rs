@@ -176,18 +176,12 @@ impl Renderer {
         Identity::draw(&self.gpu, &self.pipeline, moment, &self.options, self.size)
     }
 
-    /// Light and depth of each pixel of one sample in another size, by rows from the top.
+    /// A few pixels of a picture, as [`Pipeline::small`] draws them.
     ///
     /// # Errors
-    /// Where the driver stops to answer.
-    pub fn sample(&self, moment: &Moment, size: [u32; 2]) -> Result<Vec<[f32; 4]>, GpuError> {
-        let mut tracer = Tracer::new(&self.gpu, size)?;
-        let mut pace = Pace::new(SLICE, self.gpu.is_software());
-        let subject = Subject { gpu: &self.gpu, pipeline: &self.pipeline, render: &self.options, moment };
-        let mut goes_on = |_| ControlFlow::Continue(());
-        let _ = draw_sample(&mut pace, &mut tracer, subject, [0.0; 2], &mut goes_on)?;
-        let bytes = self.gpu.read_texture(tracer.picture(), 16)?;
-        Ok(bytemuck::pod_collect_to_vec(&bytes))
+    /// As with [`Renderer::draw`].
+    pub fn small(&self, moment: &Moment) -> Result<Vec<[f32; 4]>, GpuError> {
+        self.pipeline.small(&self.gpu, &self.options, moment)
     }
 
     /// Draws all samples of a part; `times` gets what they took.

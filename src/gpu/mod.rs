@@ -33,4 +33,5 @@ pub use pace::Pace;
 pub use pipeline::Pipeline;
 pub use probe::{Crossing, MaterialSample, Probe, Ray, SurfacePoint};
 pub use region::Region;
+pub use slices::SMALL;
 pub use tracer::Tracer;

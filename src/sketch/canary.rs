@@ -6,10 +6,14 @@ use std::time::Duration;
 
 use super::Sketch;
 use crate::compile::Compiled;
+use crate::diagnostic::Diagnostic;
 use crate::frame::{FrameUniforms, Moment};
 
 /// Of what a screen shows, 0 to 1: far more than the last digits of a driver's own functions change.
 const NEAR: f32 = 0.03;
+
+/// A picture must not wait longer for the question whether it is right.
+pub const PATIENCE: Duration = Duration::from_millis(200);
 
 /// The share of the pixels that may differ: on an edge they fall on either side of it.
 const MAX_WRONG: f64 = 0.03;
@@ -20,6 +24,20 @@ pub struct Doubt {
     /// Pixels that differ, and all that were asked for.
     pub wrong: usize,
     pub pixels: usize,
+}
+
+impl Doubt {
+    /// The warning about it; `driver` is who drew `scene`.
+    pub fn warning(self, scene: &str, driver: &str) -> Diagnostic {
+        let Doubt { wrong, pixels } = self;
+        let message = format!(
+            "the driver draws `{scene}` wrong: {wrong} of {pixels} tested pixels have the wrong color"
+        );
+        let advice = "choose another GPU with --adapter, or install another version";
+        Diagnostic::warning(message)
+            .help(format!("the driver is {driver}; {advice}"))
+            .help("a texture or shape with too many branches can cause this; `raytoy check` reports it")
+    }
 }
 
 /// What speaks against `drawn`: light and depth of each pixel of the first sample in `size`, without a

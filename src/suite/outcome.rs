@@ -13,6 +13,8 @@ use crate::laws;
 pub struct Outcome {
     pub case: Case,
     pub failures: Vec<Failure>,
+    /// Reports of what makes a picture doubtful, even one that is as its golden.
+    pub warnings: Vec<String>,
     /// Why it was not run.
     pub skipped: Option<String>,
     /// What was measured where a picture was compared.

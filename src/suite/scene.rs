@@ -8,10 +8,12 @@ use super::goldens::{read_picture, read_text, write};
 use super::settings::{Settings, settings_for};
 use super::{Case, Failure, Goldens, Outcome};
 use crate::compile::{Compiled, compile};
+use crate::diagnostic::Report;
 use crate::difference::{PictureDifference, TextDifference, png, rgb, with_origin_of};
 use crate::frame::Moment;
-use crate::gpu::{Gpu, GpuError, Renderer};
+use crate::gpu::{Gpu, GpuError, Renderer, SMALL};
 use crate::judge::judge;
+use crate::sketch::canary;
 use crate::sources::{Disk, Sources};
 use crate::wgsl::Mode;
 
@@ -108,6 +110,13 @@ impl Test<'_> {
         let moment = Moment { time: settings.time, ..Moment::of(&compiled.scene) };
         let actual = renderer.draw(&moment, settings.samples, &mut |_| ControlFlow::Continue(()))?;
         let actual = rgb(&actual.expect("nobody stops it"));
+        if self.gpu.is_software() {
+            let small = renderer.small(&moment)?;
+            let doubt = canary::doubt(compiled, &moment, SMALL, &small, canary::PATIENCE);
+            let warning = doubt.map(|doubt| doubt.warning(&compiled.scene.name, &self.gpu.describe()));
+            let report = |warning| Report { diagnostics: vec![warning], ..Report::default() };
+            self.outcome.warnings.extend(warning.map(|warning| report(warning).to_string()));
+        }
         let [path, target] = self.bench.goldens.pictures(self.case);
         let golden = match read_picture(&path) {
             Ok(golden) => golden,
@@ -164,6 +173,7 @@ impl Outcome {
         Self {
             case: case.clone(),
             failures: vec![],
+            warnings: vec![],
             skipped: None,
             verdict: None,
             written: vec![],

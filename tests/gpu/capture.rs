@@ -167,7 +167,7 @@ fn progress_runs_from_0_to_1_over_all_frames_and_there_is_one_pipeline() {
         shares.push(share);
         ControlFlow::Continue(())
     });
-    assert_eq!(times.expect("nothing stops it").len(), 3);
+    assert_eq!(times.expect("nothing stops it").0.len(), 3);
     assert!(shares.is_sorted() && shares.last() == Some(&1.0), "{shares:?}");
     assert!([0.3, 0.6, 0.9].iter().all(|share| shares.iter().any(|s| (share - s).abs() < 0.1)), "{shares:?}");
     assert_eq!(gpu.pipelines_made(), 1);

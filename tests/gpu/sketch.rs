@@ -6,9 +6,8 @@ use std::time::Duration;
 use crate::common::{expect_compiled, expect_none, good_scenes, outcome, outcome_of};
 use crate::device::gpu;
 use raytoy::Compiled;
-use raytoy::capture::SAMPLE;
 use raytoy::frame::{FrameUniforms, Moment, View};
-use raytoy::gpu::Renderer;
+use raytoy::gpu::{Renderer, SMALL};
 use raytoy::sketch::{Sketch, canary};
 use raytoy::wgsl::Mode;
 
@@ -35,8 +34,8 @@ fn difference(compiled: &Compiled, moment: &Moment) -> Option<String> {
     let mut renderer = Renderer::new(gpu, compiled, SIZE).expect("the driver takes it");
     let picture = renderer.draw(moment, 1, &mut |_| ControlFlow::Continue(())).expect("the driver draws it");
     let picture = picture.expect("nobody stops it");
-    let sample = renderer.sample(moment, SAMPLE).expect("the driver draws it");
-    let doubt = canary::doubt(compiled, moment, SAMPLE, &sample, FOR_EVER);
+    let sample = renderer.small(moment).expect("the driver draws it");
+    let doubt = canary::doubt(compiled, moment, SMALL, &sample, FOR_EVER);
     let shown = |x: f32| x.clamp(0.0, 1.0).powf(1.0 / 2.2);
     let near = sketch.iter().zip(&picture.radiance).zip(&picture.depth).filter(|((pixel, light), depth)| {
         let is_light = (0..3).all(|c| (shown(pixel[c]) - shown(light[c])).abs() <= NEAR);
@@ -180,8 +179,8 @@ fn a_driver_that_draws_wrong_is_found_out_and_the_line_is_named_before() {
         let Some(gpu) = gpu() else { continue };
         let moment = Moment::of(&compiled.scene);
         let renderer = Renderer::new(gpu, &compiled, SIZE).expect("the driver takes it");
-        let drawn = renderer.sample(&moment, SAMPLE).expect("the driver draws it");
-        let doubt = canary::doubt(&compiled, &moment, SAMPLE, &drawn, FOR_EVER);
+        let drawn = renderer.small(&moment).expect("the driver draws it");
+        let doubt = canary::doubt(&compiled, &moment, SMALL, &drawn, FOR_EVER);
         assert_eq!(doubt.is_some(), is_deep && gpu.is_software(), "{name}: {doubt:?}");
     }
 }

@@ -389,6 +389,48 @@ fn a_named_root_widens_what_a_tested_scene_may_name() {
     assert_eq!(test(&["--root", "../models"]).status.code(), Some(2));
 }
 
+/// A texture of a hundred returns, of which Mesa's software driver loses count.
+fn deep() -> String {
+    let returns = |i| format!("    if k == {i} {{ return vec3f(fract(x * {i}.0), 0.3, 0.01 * {i}.0); }}\n");
+    let body: String = (0..100).map(returns).collect();
+    format!(
+        "/// A test.\nfn deep(at: Surface) -> vec3f {{\n    let x = 0.5 + 0.25 * at.position.x;\n    \
+         let k = i32(100.0 * x);\n{body}    return vec3f(1.0);\n}}\n"
+    )
+}
+
+#[test]
+fn each_command_that_draws_reports_a_driver_that_draws_wrong() {
+    let Some(project) = Project::new() else { return };
+    if !device::gpu().is_some_and(|gpu| gpu.is_software()) {
+        return;
+    }
+    project.write("scenes/textures/deep.wgsl", &deep());
+    let scene = "(camera: (eye: (0, 0, 4), target: (0, 0, 0)), objects: [Quad(corner: (-2, -2, 0), \
+                 u: (4, 0, 0), v: (0, 4, 0), material: (color: 0, emission: Deep()))])";
+    project.write("scenes/deep.ron", scene);
+    let words = "warning: the driver draws `scenes/deep.ron` wrong: ";
+    let small = ["--size", "32x32", "--samples", "1"];
+    let still = [&["render", "scenes/deep.ron", "-o", "deep.png"][..], &small].concat();
+    let frames = [&["render", "scenes/deep.ron", "--frames", "0..1", "-o", "####.png"][..], &small].concat();
+    for call in [still, frames] {
+        let done = project.command(&call).output().unwrap();
+        let errors = String::from_utf8_lossy(&done.stderr);
+        assert!(errors.contains(words) && done.status.success(), "{call:?}: {errors}");
+    }
+    let blessed = project.test(&["scenes/deep.ron", "--bless"]);
+    assert!(said(&blessed).contains(&format!("    {words}")), "{}", said(&blessed));
+    assert_eq!(blessed.status.code(), Some(0));
+    let json = said(&project.test(&["scenes/deep.ron", "--format", "json"]));
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert!(json["tests"][0]["warnings"][0].as_str().is_some_and(|text| text.starts_with(words)), "{json}");
+    let xml = said(&project.test(&["scenes/deep.ron", "--format", "junit"]));
+    assert!(xml.contains("<system-out>warning: the driver draws"), "{xml}");
+    project.test(&["scenes/deep.ron", "--report", "out.html"]);
+    assert!(project.read("out.html").contains(words));
+    assert!(!said(&project.test(&["scenes/ball.ron"])).contains("warning"), "it says nothing of a good one");
+}
+
 #[test]
 fn programs_and_browsers_get_their_own_formats() {
     let Some(project) = Project::blessed() else { return };

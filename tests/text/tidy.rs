@@ -26,7 +26,7 @@ const IMPORTS: &[(&str, &[&str])] = &[
     ("capture", &["compile", "files", "frame", "gpu"]),
     ("stage", &["compile", "diagnostic", "sources"]),
     ("watch", &["sources"]),
-    ("sketch", &["assets", "compile", "frame", "ir"]),
+    ("sketch", &["assets", "compile", "diagnostic", "frame", "ir"]),
     // A crate of its own, of which `crate::` is the root.
     ("vm", &["image", "lanes", "lower", "machine", "op", "program"]),
     ("judge", &[]),
@@ -45,6 +45,7 @@ const IMPORTS: &[(&str, &[&str])] = &[
             "laws",
             "library",
             "scene",
+            "sketch",
             "sources",
             "wgsl",
         ],

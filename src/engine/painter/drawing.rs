@@ -115,6 +115,9 @@ impl Painter {
         if is_first && (self.coarseness == 1 || self.is_moving()) {
             self.prove();
         }
+        if samples == 2 && self.coarseness == 1 {
+            self.examine()?;
+        }
         if is_first || is_last || self.shown.elapsed() > Duration::from_millis(100) {
             self.show(frame_time)?;
         }
@@ -148,7 +151,7 @@ impl Painter {
             frame_time,
             moves: scene.moves,
             compiled: version.compiled.clone(),
-            warnings: self.refusal.as_ref().unwrap_or(&version.warnings).clone(),
+            warnings: self.refusal.clone().unwrap_or_else(|| scene.warned(&version.warnings)),
         }));
         Ok(())
     }

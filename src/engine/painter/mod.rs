@@ -2,6 +2,7 @@
 //! are heard within a tenth of a second.
 
 mod drawing;
+mod examination;
 mod forecast;
 mod refusal;
 mod sketching;
@@ -259,7 +260,8 @@ impl Painter {
 
     fn take(&mut self, version: Box<Version>) {
         if version.change == Change::Cosmetic {
-            let report = self.refusal.clone().unwrap_or(version.warnings);
+            let warned = self.scene.as_ref().map(|scene| scene.warned(&version.warnings));
+            let report = self.refusal.clone().or(warned).unwrap_or(version.warnings);
             return (self.notify)(EngineEvent::Unchanged(report));
         }
         self.waits_until = None;

@@ -54,12 +54,19 @@ fn row(outcome: &Outcome) -> String {
         )
     });
     let (name, ms) = (escaped(&outcome.case.name), outcome.time.as_millis());
+    let name = name + &warnings(outcome);
     format!("<tr><td>{name}</td>{measures}<td>{ms}</td></tr>\n")
+}
+
+fn warnings(outcome: &Outcome) -> String {
+    let pre = |warning: &String| format!("<pre class=\"report\">{}</pre>\n", escaped(warning));
+    outcome.warnings.iter().map(pre).collect()
 }
 
 fn story(run: &Run, index: usize, outcome: &Outcome) -> String {
     let mut text =
         format!("<section class=\"bad\" id=\"t{index}\">\n<h2>{}</h2>\n", escaped(&outcome.case.name));
+    text += &warnings(outcome);
     for failure in &outcome.failures {
         text += &match failure {
             Failure::Mistakes(report) => format!("<pre class=\"report\">{}</pre>\n", escaped(report)),

@@ -22,6 +22,10 @@ fn story(run: &Run, outcome: &Outcome) -> String {
     }
     let word = if outcome.failures.is_empty() { "ok      " } else { "FAILED  " };
     let mut text = format!("{word} {name}\n");
+    for line in outcome.warnings.iter().flat_map(|warning| warning.trim_end().lines()) {
+        text += format!("    {line}").trim_end();
+        text.push('\n');
+    }
     for (path, is_new) in &outcome.written {
         let what = if *is_new { "new" } else { "changed" };
         text += &format!("    wrote {} ({what})\n", path.display());

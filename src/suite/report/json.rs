@@ -25,6 +25,8 @@ struct Test<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<&'a str>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    warnings: Vec<&'a str>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     written: Vec<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     removed: Vec<String>,
@@ -68,6 +70,7 @@ fn test<'a>(run: &Run, outcome: &'a Outcome) -> Test<'a> {
         outcome: word,
         milliseconds: outcome.time.as_millis() as u64,
         reason: outcome.skipped.as_deref(),
+        warnings: outcome.warnings.iter().map(|warning| warning.trim_end()).collect(),
         written: outcome.written.iter().map(|(path, _)| path.display().to_string()).collect(),
         removed: outcome.removed.iter().map(|path| path.display().to_string()).collect(),
         picture: outcome.verdict.as_ref().map(Measures::of),

@@ -31,12 +31,19 @@ fn test(run: &Run, outcome: &Outcome) -> String {
     if let Some(why) = &outcome.skipped {
         return format!("{open}>\n      <skipped message=\"{}\"/>\n    </testcase>\n", escaped(why));
     }
-    if outcome.failures.is_empty() {
+    let warnings = match outcome.warnings.concat() {
+        none if none.is_empty() => none,
+        all => format!("      <system-out>{}</system-out>\n", escaped(all.trim_end())),
+    };
+    if outcome.failures.is_empty() && warnings.is_empty() {
         return format!("{open}/>\n");
+    }
+    if outcome.failures.is_empty() {
+        return format!("{open}>\n{warnings}    </testcase>\n");
     }
     let mut lines: Vec<String> = outcome.failures.iter().flat_map(|failure| failure.told()).collect();
     lines.extend(outcome.how_to_bless(&run.call).map(|how| how.join(": ")));
     let first = escaped(&lines[0]);
     let all = escaped(&lines.join("\n"));
-    format!("{open}>\n      <failure message=\"{first}\">{all}</failure>\n    </testcase>\n")
+    format!("{open}>\n      <failure message=\"{first}\">{all}</failure>\n{warnings}    </testcase>\n")
 }
