@@ -20,6 +20,8 @@ pub enum Event {
     Unchanged,
     /// The scene has mistakes; the last good picture stays.
     Broken { errors: usize, text: String },
+    /// The scene is right, but there is something new to say of its picture.
+    Warned { text: String },
     /// One sample of the picture takes this long; it is drawn all the same.
     Slow { seconds: f64 },
     /// A picture is on the screen.

@@ -100,8 +100,8 @@ pub enum EngineEvent {
     Captured,
     /// The scene is wrong; nothing else changes.
     Broken(Report),
-    /// What was wrong while the scene was drawn is so no more; with its warnings.
-    Mended(Report),
+    /// The scene is right, and these warnings are all that there is to say of it.
+    Warned(Report),
     /// A version is about to be drawn for the first time.
     Tries(Arc<Compiled>),
     /// A device is gone, and all that stood on it.

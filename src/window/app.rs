@@ -217,7 +217,10 @@ impl ApplicationHandler<(u32, EngineEvent)> for App<'_> {
                         return;
                     }
                 }
-                EngineEvent::Mended(warnings) => drop(open.panel.mend(&warnings)),
+                EngineEvent::Warned(warnings) => {
+                    (app.on_event)(&Event::Warned { text: warnings.to_string() });
+                    open.panel.mend(&warnings);
+                }
                 EngineEvent::Tries(compiled) => {
                     open.crash_guard.begin(compiled);
                     return (app.on_event)(&Event::Begun);

@@ -95,6 +95,25 @@ fn a_number_that_makes_a_loop_endless_is_taken_back_by_the_next() {
 }
 
 #[test]
+fn a_driver_that_draws_wrong_is_reported_over_the_picture() {
+    let folder = Folder::new();
+    let returns = |i| format!("    if k == {i} {{ return {:?}; }}\n", 0.01 * f32::from(i));
+    let body: String = (0..100u8).map(returns).collect();
+    let head = "/// A test.\nfn deep(at: Surface) -> f32 {\n    let k = i32(50.0 + 50.0 * at.uv.x);\n";
+    folder.write("textures/deep.wgsl", &format!("{head}{body}    return 1.0;\n}}\n"));
+    folder.write("scene.ron", &scene("Deep()"));
+    let Some(mut desk) = Desk::open(folder.path(), "scene.ron", SIZE) else { return };
+    let warned = desk.wait_for_event("warned");
+    let text = warned["text"].as_str().unwrap_or_default();
+    assert!(text.contains("branches are nested") && text.contains("draws `scene.ron` wrong"), "{text}");
+    // A comment changes nothing of that.
+    folder.write("scene.ron", &(scene("Deep()") + "// Seen."));
+    desk.wait_for_event("unchanged");
+    folder.write("textures/deep.wgsl", &format!("{head}    return 0.5;\n}}\n"));
+    desk.wait_for_color(AT[0], AT[1], level(0.5));
+}
+
+#[test]
 fn a_first_scene_that_does_not_end_waits_for_an_edit() {
     let folder = Folder::new();
     folder.write("textures/loops.wgsl", &loops(0.2, "true", "3"));

@@ -1,6 +1,7 @@
 //! A driver that runs on the processor is held to account: some draw wrong without a word.
 
 use super::Painter;
+use crate::engine::messages::EngineEvent;
 use crate::frame::{Moment, View};
 use crate::gpu::{GpuError, SMALL};
 use crate::sketch::canary;
@@ -18,9 +19,11 @@ impl Painter {
         let moment = Moment { view: View::Color, split: None, ..self.moment(&compiled) };
         let small = pipeline.small(&self.gpu, &compiled.scene.render, &moment)?;
         let doubt = canary::doubt(&compiled, &moment, SMALL, &small, canary::PATIENCE);
-        if let Some(scene) = &mut self.scene {
-            scene.is_examined = true;
-            scene.doubt = doubt.map(|doubt| doubt.warning(&compiled.scene.name, &self.gpu.describe()));
+        let Some(scene) = &mut self.scene else { return Ok(()) };
+        scene.is_examined = true;
+        if let Some(doubt) = doubt {
+            scene.doubt = Some(doubt.warning(&compiled.scene.name, &self.gpu.describe()));
+            (self.notify)(EngineEvent::Warned(scene.warned(&scene.version.warnings)));
         }
         Ok(())
     }

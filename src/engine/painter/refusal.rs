@@ -41,7 +41,7 @@ impl Painter {
         scene.is_proven = true;
         self.former = None;
         if self.refusal.take().is_some() {
-            (self.notify)(EngineEvent::Mended(scene.warned(&scene.version.warnings)));
+            (self.notify)(EngineEvent::Warned(scene.warned(&scene.version.warnings)));
         }
     }
 }
