@@ -120,6 +120,13 @@ impl Report {
     }
 }
 
+/// A report of one problem that is at no place.
+impl From<Diagnostic> for Report {
+    fn from(problem: Diagnostic) -> Self {
+        Self { diagnostics: vec![problem], texts: BTreeMap::new() }
+    }
+}
+
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.render(false))

@@ -10,7 +10,7 @@ use super::stats::Stats;
 use super::words::LONGEST_TIME;
 use super::{Failure, Result, print_report, write_output};
 use crate::capture::{self, Format, Frames, MovieFormat, Numbered};
-use crate::diagnostic::{Diagnostic, Report};
+use crate::diagnostic::Diagnostic;
 use crate::gpu::Gpu;
 
 /// Where frames go.
@@ -38,7 +38,7 @@ pub fn run(options: &RenderOptions, numbers: Range<u32>) -> Result {
     if !compiled.source.reads_time() && count > 1 {
         let message = format!("`{}` does not move: all {count} frames are equal", compiled.scene.name);
         let problem = Diagnostic::warning(message).help("textures and shapes move if they read `frame.time`");
-        print_report(&Report { diagnostics: vec![problem], ..Report::default() });
+        print_report(&problem.into());
     }
     let shot = shot(options, &gpu, &compiled);
     let (times, small) = with_progress(&compiled.scene.name, |progress| match &output {

@@ -6,7 +6,6 @@ use super::args::RenderOptions;
 use super::{Failure, Result};
 use crate::capture::{Shot, Small};
 use crate::compile::Compiled;
-use crate::diagnostic::Report;
 use crate::frame::{Moment, Split, View};
 use crate::gpu::{Gpu, SMALL};
 use crate::ir::Measure;
@@ -46,7 +45,7 @@ pub fn warn_of_driver(shot: &Shot<'_>, small: &Small) {
     let moment = Moment { split: None, ..shot.moment };
     if let Some(doubt) = canary::doubt(shot.compiled, &moment, SMALL, small, canary::PATIENCE) {
         let warning = doubt.warning(&shot.compiled.scene.name, &shot.gpu.describe());
-        super::print_report(&Report { diagnostics: vec![warning], ..Report::default() });
+        super::print_report(&warning.into());
     }
 }
 

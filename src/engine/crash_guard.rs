@@ -51,7 +51,7 @@ impl CrashGuard {
         let problem = Diagnostic::error(message)
             .help(format!("message of the driver: {}", why.trim()))
             .help("if the scene is not the reason, save any change, even a comment, to draw it again");
-        Some(Report { diagnostics: vec![problem], ..Report::default() })
+        Some(problem.into())
     }
 }
 

@@ -54,8 +54,8 @@ pub(super) fn draw_sample(
 pub const SMALL: [u32; 2] = [16, 16];
 
 impl Pipeline {
-    /// One sample of a picture in the size [`SMALL`], by which a driver is held to account: linear red, green,
-    /// blue and depth of each pixel, by rows from the top.
+    /// One sample of a picture in the size [`SMALL`], by which a driver is held to account: linear red,
+    /// green, blue and depth of each pixel, by rows from the top.
     ///
     /// # Errors
     /// Where a loop of the author's had to be ended, or the device stops to answer.
@@ -63,7 +63,8 @@ impl Pipeline {
         let mut tracer = Tracer::new(gpu, SMALL)?;
         let mut pace = Pace::new(SLICE, gpu.is_software());
         let subject = Subject { gpu, pipeline: self, render, moment };
-        let _ = draw_sample(&mut pace, &mut tracer, subject, [0.0; 2], &mut |_| ControlFlow::Continue(()))?;
+        let mut goes_on = |_| ControlFlow::Continue(());
+        let _ = draw_sample(&mut pace, &mut tracer, subject, [0.0; 2], &mut goes_on)?;
         let bytes = gpu.read_texture(tracer.picture(), 16)?;
         Ok(bytemuck::pod_collect_to_vec(&bytes))
     }

@@ -114,8 +114,7 @@ impl Test<'_> {
             let small = renderer.small(&moment)?;
             let doubt = canary::doubt(compiled, &moment, SMALL, &small, canary::PATIENCE);
             let warning = doubt.map(|doubt| doubt.warning(&compiled.scene.name, &self.gpu.describe()));
-            let report = |warning| Report { diagnostics: vec![warning], ..Report::default() };
-            self.outcome.warnings.extend(warning.map(|warning| report(warning).to_string()));
+            self.outcome.warnings.extend(warning.map(|warning| Report::from(warning).to_string()));
         }
         let [path, target] = self.bench.goldens.pictures(self.case);
         let golden = match read_picture(&path) {

@@ -13,7 +13,7 @@ use super::Options;
 use super::backend::{self, Backend};
 use super::open::{Fresh, Open};
 use super::screen::Presented;
-use crate::diagnostic::{Diagnostic, Report, Severity};
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::engine::builder_messages::BuilderCommand;
 use crate::engine::crash_guard::CrashGuard;
 use crate::engine::events::Event;
@@ -203,10 +203,7 @@ impl ApplicationHandler<(u32, EngineEvent)> for App<'_> {
                     return drop(open.backend.builder.send(BuilderCommand::Shown(compiled)));
                 }
                 EngineEvent::Frame { is_shown } => {
-                    open.backend.screen.end_frame();
-                    if std::mem::take(&mut open.is_outdated) {
-                        open.window.request_redraw();
-                    }
+                    open.end_frame();
                     return if is_shown {
                         app.presented()
                     };
@@ -227,8 +224,7 @@ impl ApplicationHandler<(u32, EngineEvent)> for App<'_> {
                 }
                 EngineEvent::File(text) => {
                     // A verdict follows, and shows.
-                    let _ = open.backend.builder.send(open.panel.file_says(&text));
-                    return;
+                    return drop(open.backend.builder.send(open.panel.file_says(&text)));
                 }
                 EngineEvent::Gallery(news) => open.panel.receive_thumbnails(news),
                 EngineEvent::Captured => open.panel.follow(&mut open.backend.album),
@@ -239,19 +235,18 @@ impl ApplicationHandler<(u32, EngineEvent)> for App<'_> {
                 }
                 EngineEvent::Ready { pipelines } => return (app.on_event)(&Event::Ready { pipelines }),
                 EngineEvent::Broken(report) => {
-                    let errors = report.count(Severity::Error);
-                    (app.on_event)(&Event::Broken { errors, text: report.to_string() });
+                    let (errors, text) = (report.count(Severity::Error), report.to_string());
+                    (app.on_event)(&Event::Broken { errors, text });
                     open.panel.break_with(report);
                 }
                 EngineEvent::Slow(slow) => {
-                    if let Some(slow) = slow.filter(|_| open.panel.slow.is_none()) {
+                    let before = std::mem::replace(&mut open.panel.slow, slow);
+                    if let Some(slow) = slow.filter(|_| before.is_none()) {
                         (app.on_event)(&Event::Slow { seconds: slow.sample.as_secs_f64().round() });
                     }
-                    open.panel.slow = slow;
                 }
                 EngineEvent::Failed(error) => {
-                    let diagnostics = vec![Diagnostic::error(error.to_string())];
-                    open.panel.break_with(Report { diagnostics, ..Report::default() });
+                    open.panel.break_with(Diagnostic::error(error.to_string()).into());
                 }
             }
             open.window.request_redraw();

@@ -48,6 +48,14 @@ pub struct Fresh {
 }
 
 impl Open {
+    /// The last frame is on the screen, or was not wanted there; what has changed meanwhile is drawn next.
+    pub fn end_frame(&mut self) {
+        self.backend.screen.end_frame();
+        if std::mem::take(&mut self.is_outdated) {
+            self.window.request_redraw();
+        }
+    }
+
     /// Writes the settings to their file, with the size of the window.
     pub fn remember(&mut self) {
         // A window that fills the screen has no size to come back to.
