@@ -15,7 +15,7 @@ mod identity;
 mod image;
 mod lines;
 mod pace;
-mod parts;
+pub mod parts;
 mod pipeline;
 mod probe;
 mod region;

@@ -6,7 +6,7 @@ use super::{Gpu, Region};
 
 /// How large a part may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Parts {
+pub struct Parts {
     /// Of a strip, unless two rows have more.
     pub pixels: u32,
     /// Width and height of a region, pixels.
@@ -36,46 +36,9 @@ impl Parts {
 }
 
 /// Lays the texels of `region` into those of its strip, which is `width` wide.
-pub(super) fn lay<T: Copy>(strip: &mut [T], width: u32, region: &Region, part: &[T]) {
+pub fn lay<T: Copy>(strip: &mut [T], width: u32, region: &Region, part: &[T]) {
     let (width, left, columns) = (width as usize, region.columns.start as usize, region.columns.len());
     for (row, texels) in strip.chunks_exact_mut(width).zip(part.chunks_exact(columns)) {
         row[left..left + columns].copy_from_slice(texels);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn parts_cover_each_pixel_once_and_begin_at_even_places() {
-        for (pixels, side, size) in [
-            (1 << 22, 16_384, [65_536, 1000]),
-            (64, 8, [33, 17]),
-            (1, 1, [5, 3]),
-            (100, 64, [1, 65]),
-            (1 << 22, 16_384, [960, 540]),
-        ] {
-            let parts = Parts { pixels, side };
-            let regions: Vec<Region> = parts.strips(size).into_iter().flatten().collect();
-            let covered: u64 = regions.iter().map(|region| u64::from(region.pixels())).sum();
-            assert_eq!(covered, u64::from(size[0]) * u64::from(size[1]), "{parts:?} {size:?}");
-            for region in &regions {
-                assert!(region.columns.start % 2 == 0 && region.rows.start % 2 == 0, "{region:?}");
-                assert!(region.columns.end <= size[0] && region.rows.end <= size[1], "{region:?}");
-                let most = side.max(2) as usize;
-                assert!(region.columns.len() <= most && region.rows.len() <= most, "{region:?}");
-            }
-        }
-        assert_eq!(Parts { pixels: 1 << 22, side: 16_384 }.strips([960, 540]).len(), 1);
-    }
-
-    #[test]
-    fn parts_are_laid_beside_each_other() {
-        let mut strip = [0; 6];
-        for (columns, part) in [(0..2, &[1, 2, 4, 5][..]), (2..3, &[3, 6])] {
-            lay(&mut strip, 3, &Region { columns, rows: 0..2 }, part);
-        }
-        assert_eq!(strip, [1, 2, 3, 4, 5, 6]);
     }
 }

@@ -24,7 +24,7 @@ const WITH_WINDOW: [&str; 10] =
     ["code", "code-insiders", "codium", "cursor", "zed", "zeditor", "subl", "kate", "gedit", "xed"];
 
 /// What opens a file as a double click does; it knows no lines.
-const DESKTOP: &[&str] = if cfg!(windows) {
+pub const DESKTOP: &[&str] = if cfg!(windows) {
     &["explorer"]
 } else if cfg!(target_os = "macos") {
     &["open", "-t"]
@@ -59,7 +59,7 @@ pub fn open(file: &Path, line: usize) -> Result<(), String> {
 }
 
 /// The program and its arguments.
-fn command(editor: &str, terminal: &str, file: &Path, line: usize) -> Vec<String> {
+pub fn command(editor: &str, terminal: &str, file: &Path, line: usize) -> Vec<String> {
     let mut words: Vec<String> = editor.split_whitespace().map(str::to_owned).collect();
     let program = Path::new(&words[0]).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     words.extend(told(&program, file, line));
@@ -86,8 +86,9 @@ fn told(program: &str, file: &Path, line: usize) -> Vec<String> {
     }
 }
 
-/// The same for the first editor in the folders of `path`, or for what the desktop opens files with.
-fn found(path: &OsStr, file: &Path, line: usize) -> Option<Vec<String>> {
+/// The program and its arguments, for the first editor in the folders of `path`, or for what the desktop
+/// opens files with.
+pub fn found(path: &OsStr, file: &Path, line: usize) -> Option<Vec<String>> {
     let place = |program: &str| Some(program_in(path, program)?.to_string_lossy().into_owned());
     let with_window = WITH_WINDOW
         .iter()
@@ -107,45 +108,4 @@ fn program_in(path: &OsStr, program: &str) -> Option<PathBuf> {
     let mut all =
         folders.flat_map(|folder| endings.iter().map(move |e| folder.join(format!("{program}{e}"))));
     all.find(|file| file.is_file())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_editor_is_told_the_line_in_its_own_way() {
-        let told = |editor: &str| command(editor, "xterm", "a b.ron".as_ref(), 7).join(" | ");
-        assert_eq!(told("code --wait"), "code | --wait | -g | a b.ron:7");
-        assert_eq!(told("/usr/bin/vim"), "xterm | -e | /usr/bin/vim | +7 | a b.ron");
-        assert_eq!(told("subl"), "subl | a b.ron:7");
-        assert_eq!(told("kate"), "kate | --line | 7 | a b.ron");
-        assert_eq!(told("gedit"), "gedit | +7 | a b.ron");
-    }
-
-    #[test]
-    fn where_none_is_named_one_that_is_there_is_taken_and_then_the_desktop_s() {
-        let home = tempfile::TempDir::new().expect("there is room for a folder");
-        let [first, second] = ["first", "second"].map(|name| home.path().join(name));
-        let ending = if cfg!(windows) { ".exe" } else { "" };
-        let put = |folder: &Path, program: &str| {
-            std::fs::create_dir_all(folder).expect("the folder is writable");
-            std::fs::write(folder.join(format!("{program}{ending}")), "").expect("the folder is writable");
-        };
-        let path = std::env::join_paths([&first, &second]).expect("their names are plain");
-        let opens = || {
-            let words = found(&path, "a.ron".as_ref(), 7)?;
-            let name = Path::new(&words[0]).file_stem()?.to_string_lossy().into_owned();
-            Some(format!("{name} {}", words[1..].join(" ")))
-        };
-        assert_eq!(opens(), None);
-        put(&second, DESKTOP[0]);
-        let desktop = [DESKTOP, &["a.ron"]].concat().join(" ");
-        assert_eq!(opens(), Some(desktop));
-        put(&first, "gedit");
-        assert_eq!(opens().as_deref(), Some("gedit +7 a.ron"));
-        put(&second, "code");
-        assert_eq!(opens().as_deref(), Some("code -g a.ron:7"));
-        assert_eq!(found("".as_ref(), "a.ron".as_ref(), 7), None);
-    }
 }

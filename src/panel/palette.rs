@@ -181,17 +181,3 @@ pub fn fuzzy_score(name: &str, wanted: &str) -> Option<usize> {
     let mut words = wanted.split_whitespace();
     words.try_fold(0, |count, word| name.contains(word).then_some(count + usize::from(!begins(word))))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::fuzzy_score;
-
-    #[test]
-    fn names_that_begin_with_what_was_typed_come_first() {
-        assert_eq!(fuzzy_score("Open table", "ta OP"), Some(0));
-        assert_eq!(fuzzy_score("Open fractals", "op ta"), Some(1));
-        assert_eq!(fuzzy_score("Open mirror_room", "room"), Some(0));
-        assert_eq!(fuzzy_score("Open table", "open room"), None);
-        assert_eq!(fuzzy_score("Undo", ""), Some(0));
-    }
-}

@@ -72,8 +72,7 @@ fn modules() -> BTreeMap<String, Uses> {
         let path = file.trim_start_matches("src/").trim_end_matches(".rs").trim_end_matches("/mod");
         let module = path.replace('/', "::");
         let text = read(&file);
-        let code = text.split("#[cfg(test)]").next().unwrap_or_default();
-        let lines = code.lines().map(|line| line.split("//").next().unwrap_or(line));
+        let lines = text.lines().map(|line| line.split("//").next().unwrap_or(line));
         let uses = uses(&module, &lines.collect::<Vec<_>>().join("\n"));
         (module, uses)
     });

@@ -4,7 +4,9 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use raytoy::panel::{Settings, Theme, cache, folder};
+use glam::Vec3;
+use raytoy::ir::Camera;
+use raytoy::panel::{Bookmarks, Settings, Theme, cache, folder, free_digit};
 use tempfile::TempDir;
 
 /// The settings read from a file that says `text`.
@@ -113,4 +115,44 @@ fn on_linux_they_lie_where_xdg_says() {
     assert_eq!(place(Some("/x")), Some("/x/raytoy".into()));
     assert_eq!(place(Some("relative")), Some("/h/.config/raytoy".into()), "a relative one is to be ignored");
     assert_eq!(place(None), Some("/h/.config/raytoy".into()));
+}
+
+fn looking_from(x: f32) -> Camera {
+    Camera { eye: Vec3::new(x, 0.0, 0.0), target: Vec3::ZERO, up: Vec3::Y, fov: 0.7 }
+}
+
+#[test]
+fn cameras_are_kept_by_their_digits_and_come_back_as_they_were() {
+    let mut kept = Bookmarks::default();
+    for (digit, x) in [(3, 3.0), (1, 1.1), (3, 4.0)] {
+        kept.keep(digit, &looking_from(x));
+    }
+    let digits: Vec<u8> = kept.all().iter().map(|known| known.digit).collect();
+    assert_eq!(digits, [1, 3]);
+    assert_eq!(kept.all()[1].camera(), looking_from(4.0));
+    let told = serde_json::to_string(&kept).expect("it is JSON");
+    assert_eq!(serde_json::from_str::<Bookmarks>(&told).expect("it is JSON"), kept);
+}
+
+#[test]
+fn a_name_stays_where_the_camera_is_another_and_goes_with_it() {
+    let mut kept = Bookmarks::default();
+    kept.keep(2, &looking_from(1.0));
+    assert_eq!(kept.all()[0].title(), "camera 2");
+    kept.rename(2, "front".into());
+    kept.keep(2, &looking_from(2.0));
+    assert_eq!(kept.all()[0].title(), "front");
+    assert_eq!(free_digit(kept.all()), Some(1));
+    kept.remove(2);
+    kept.keep(2, &looking_from(1.0));
+    assert_eq!(kept.all()[0].title(), "camera 2");
+}
+
+#[test]
+fn there_are_nine() {
+    let mut kept = Bookmarks::default();
+    while let Some(digit) = free_digit(kept.all()) {
+        kept.keep(digit, &looking_from(1.0));
+    }
+    assert_eq!(kept.all().len(), 9);
 }

@@ -220,6 +220,14 @@ fn each_scene_says_what_it_shows() {
     expect_none(silent.map(|file| format!("{file} opens without a comment")));
 }
 
+/// Cargo.toml says so of its targets, so that the library is compiled once: nobody would run them.
+#[test]
+fn no_test_is_inside_of_src() {
+    let has_tests = |text: &str| ["#[test]", "#[cfg(test)]"].iter().any(|mark| text.contains(mark));
+    let files = rust().into_iter().filter(|(_, text)| has_tests(text));
+    expect_none(files.map(|(file, _)| format!("{file} has tests; they belong in tests/")));
+}
+
 /// The files of src/ with their texts.
 fn rust() -> Vec<(String, String)> {
     files("src", "rs").into_iter().map(|file| (file.clone(), read(&file))).collect()

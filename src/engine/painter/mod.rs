@@ -3,7 +3,7 @@
 
 mod drawing;
 mod examination;
-mod forecast;
+pub mod forecast;
 mod refusal;
 mod sketching;
 mod slowness;

@@ -5,7 +5,7 @@
 //! only while it draws.
 
 mod catalog;
-mod store;
+pub mod store;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -199,7 +199,7 @@ impl ThumbnailRenderer {
 }
 
 /// Of all that is in the picture: the shader with its numbers, what it reads, and who looks how.
-fn digest(compiled: &Compiled, size: [u32; 2]) -> u64 {
+pub fn digest(compiled: &Compiled, size: [u32; 2]) -> u64 {
     let scene = &compiled.scene;
     let mut digest = DefaultHasher::new();
     compiled.source.text().hash(&mut digest);
@@ -208,28 +208,4 @@ fn digest(compiled: &Compiled, size: [u32; 2]) -> u64 {
     format!("{:?} {:?}", scene.camera, scene.render).hash(&mut digest);
     (size, SAMPLES).hash(&mut digest);
     digest.finish()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::compile::compile;
-    use crate::sources::Sources;
-    use crate::wgsl::Mode;
-
-    #[test]
-    fn the_digest_is_of_all_that_is_seen_and_of_nothing_else() {
-        let of = |text: &str, size| {
-            let sources = Sources::in_memory().with("s.ron", text);
-            let outcome = compile(&sources, "s.ron".as_ref(), Mode::Baked, None);
-            digest(&outcome.compiled.expect("it is right"), size)
-        };
-        let scene = "(camera: (eye: (0, 0, 5)), objects: [Sphere(radius: 1)], render: (exposure: 1))";
-        let now = of(scene, [8, 6]);
-        assert_eq!(now, of(&format!("// A ball.\n\n{scene}"), [8, 6]));
-        assert_ne!(now, of(scene, [8, 7]));
-        for (old, new) in [("radius: 1", "radius: 2"), ("0, 5", "0, 6"), ("exposure: 1", "exposure: 2")] {
-            assert_ne!(now, of(&scene.replace(old, new), [8, 6]), "{new}");
-        }
-    }
 }

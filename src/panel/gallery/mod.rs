@@ -13,6 +13,7 @@ use std::sync::Arc;
 
 use egui::{Color32, Frame, Id, Modal, TextureHandle, Ui, Vec2};
 
+pub use self::categories::{Category, by_category, stepped};
 use self::query::Query;
 use super::inspector::example;
 use super::scenes::{full_name, neighbours, stem};
