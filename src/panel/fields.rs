@@ -242,6 +242,7 @@ fn pick<'n>(
     let mut chosen = None;
     egui::ComboBox::from_id_salt(field.path.to_string())
         .width(ui.available_width() - 24.0)
+        .truncate()
         .selected_text(shown)
         .show_ui(ui, |ui| {
             for name in names {

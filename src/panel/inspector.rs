@@ -12,6 +12,9 @@ use super::{Actions, Panel, changing, picking, widgets};
 use crate::outline::{self, Field, Node, NodeKind, Role};
 use crate::sources::Disk;
 
+/// The room for the kind of a thing beside its name, points.
+const KIND: f32 = 130.0;
+
 impl Panel {
     pub(super) fn inspector(&mut self, ui: &mut Ui, actions: &mut Actions) {
         self.conflicts(ui, actions);
@@ -69,7 +72,12 @@ impl Panel {
         example: &dyn Fn(Role, &str) -> Option<String>,
     ) {
         ui.horizontal(|ui| {
-            ui.label(RichText::new(&node.label).strong().size(14.0));
+            let beside = if node.names.is_empty() { 0.0 } else { KIND };
+            let label = egui::Label::new(RichText::new(&node.label).strong().size(14.0)).truncate();
+            ui.scope(|ui| {
+                ui.set_max_width((ui.available_width() - beside).max(KIND));
+                ui.add(label);
+            });
             if !node.names.is_empty() {
                 self.rename(ui, node, actions, example);
             }

@@ -22,6 +22,7 @@ impl Panel {
         let mut chosen = None;
         let shown = egui::ComboBox::from_id_salt("scene")
             .width(150.0)
+            .truncate()
             .height(480.0)
             .selected_text(stem(&self.scene))
             .show_ui(ui, |ui| {

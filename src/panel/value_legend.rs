@@ -75,7 +75,7 @@ impl Panel {
         if Measure::named(&compiled.scene, name).is_none() {
             *name = PATTERN.into();
         }
-        let menu = ComboBox::from_id_salt("number").width(120.0).height(480.0);
+        let menu = ComboBox::from_id_salt("number").width(120.0).height(480.0).truncate();
         let shown = menu.selected_text(name.clone()).show_ui(ui, |ui| {
             let declared = compiled.scene.textures.iter().map(|texture| texture.name.as_str());
             for known in Measure::ALL.iter().map(|(known, _)| *known).chain(declared) {

@@ -58,7 +58,12 @@ fn drag(ui: &mut Ui, number: &mut f32, range: Option<(f32, f32)>, is_whole: bool
     let before = *number;
     let (low, high) = range.unwrap_or((f32::MIN, f32::MAX));
     let speed = if is_whole { 0.1 } else { (number.abs() * 0.01).max(0.005) };
-    let is_typed = ui.memory(|memory| memory.has_focus(ui.next_auto_id()));
+    let (id, layer) = (ui.next_auto_id(), ui.layer_id());
+    let is_typed = ui.memory_mut(|memory| {
+        // The focus that Tab gives comes with this question: without it the text to edit has four digits.
+        memory.interested_in_focus(id, layer);
+        memory.has_focus(id)
+    });
     let shown = |x: f64, _| {
         let x = x as f32;
         // egui would take a suffix for the widget's name.

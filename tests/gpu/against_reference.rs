@@ -108,31 +108,6 @@ fn hundreds_of_objects_materials_textures_and_lights_agree() {
     check_all(scenes.map(|(name, text)| (name.to_owned(), text)), [96, 64]);
 }
 
-#[test]
-#[ignore = "a driver takes minutes to compile it"]
-fn solids_of_hundreds_of_parts_agree() {
-    let ball = |radius| move |[x, y]: [f64; 2]| format!("Sphere(center: ({x}, {y}, 0), radius: {radius})");
-    let scene = |operation: &str, parts: Vec<String>| {
-        let parts = parts.join(", ");
-        let camera =
-            "camera: (eye: (1, 2, 9), target: (0, 0, 0)), lights: [Directional(direction: (-1, -1, -2))]";
-        let text =
-            format!("({camera}, render: (texture_filter: false), objects: [{operation}(parts: [{parts}])])");
-        (format!("{operation} of 300"), text)
-    };
-    let block = "Box(min: (-3, -3, -1), max: (3, 3, 0))".to_owned();
-    let holes = [vec![block], grid(299).map(ball(0.2)).collect()].concat();
-    let lens = grid(300).map(|[x, y]| [0.1 * x, 0.1 * y]).map(ball(2.0)).collect();
-    check_all(
-        [
-            scene("Union", grid(300).map(ball(0.25)).collect()),
-            scene("Difference", holes),
-            scene("Intersection", lens),
-        ],
-        [96, 64],
-    );
-}
-
 /// So many places of a square, 6 wide.
 fn grid(places: usize) -> impl Iterator<Item = [f64; 2]> {
     let columns = (places as f64).sqrt().ceil() as usize;

@@ -67,34 +67,46 @@ fn it_takes_live_numbers_and_shows_debug_views() {
     }));
 }
 
-/// Parts in a row, each with a material of its own, and a block to cut them out of or to have in common.
 #[test]
 fn it_is_what_a_driver_draws_of_solids_of_100_parts() {
+    expect_none(solids_of(100));
+}
+
+#[test]
+#[ignore = "a driver takes minutes to compile them"]
+fn it_is_what_a_driver_draws_of_solids_of_300_parts() {
+    expect_none(solids_of(300));
+}
+
+/// Differences in solids of `count` balls, each with a material of its own: alone, cut out of a block, and in common.
+fn solids_of(count: usize) -> impl Iterator<Item = String> {
+    let color = |i: usize| [i % 5, i % 7, i % 11].map(|n| (0.1 + 0.08 * n as f64).to_string()).join(", ");
+    let columns = (count as f64).sqrt().ceil();
+    let step = 6.0 / columns;
     let ball = |i: usize| {
-        let [x, y] = [i % 10, i / 10].map(|n| 0.6 * n as f64 - 2.7);
-        let color = [i % 5, i % 7, i % 11].map(|n| (0.1 + 0.08 * n as f64).to_string()).join(", ");
-        format!("Sphere(center: ({x}, {y}, 0.4), radius: 0.35, material: (color: ({color})))")
+        let [x, y] = [i % columns as usize, i / columns as usize].map(|n| step * (n as f64 + 0.5) - 3.0);
+        let radius = 0.58 * step;
+        format!("Sphere(center: ({x}, {y}, 0.4), radius: {radius}, material: (color: ({})))", color(i))
     };
-    let balls = (0..100).map(ball).collect::<Vec<_>>().join(", ");
+    let balls = (0..count).map(ball).collect::<Vec<_>>().join(", ");
     let block = "Box(min: (-3, -3, -1), max: (3.2, 3, 0.4))";
     let round = |i: usize| {
         let [x, y] = [(i as f64).sin(), (i as f64).cos()].map(|n| 0.8 * n);
-        let color = [i % 5, i % 7, i % 11].map(|n| (0.1 + 0.08 * n as f64).to_string()).join(", ");
-        format!("Sphere(center: ({x}, {y}, 0), radius: 3, material: (color: ({color})))")
+        format!("Sphere(center: ({x}, {y}, 0), radius: 3, material: (color: ({})))", color(i))
     };
-    let rounds = (0..100).map(round).collect::<Vec<_>>().join(", ");
+    let rounds = (0..count).map(round).collect::<Vec<_>>().join(", ");
     let solids = [
         ("union", format!("Union(parts: [{balls}])")),
         ("difference", format!("Difference(parts: [{block}, {balls}])")),
         ("intersection", format!("Intersection(parts: [{rounds}])")),
     ];
-    expect_none(solids.into_iter().filter_map(|(name, solid)| {
+    solids.into_iter().filter_map(|(name, solid)| {
         let scene = format!(
             "(camera: (eye: (0, 0, 9), target: (0, 0, 0)), lights: [Directional(direction: (-1, -1, -2))], objects: [{solid}])"
         );
         let compiled = expect_compiled(outcome_of(name, &scene, Mode::Baked));
         difference(&compiled, &Moment::of(&compiled.scene))
-    }));
+    })
 }
 
 /// Snippets of a hundred cases, and whether Mesa's software driver loses count of their branches.

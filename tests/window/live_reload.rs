@@ -102,6 +102,27 @@ fn a_mistake_keeps_the_picture_and_a_repair_needs_nothing_else() {
 }
 
 #[test]
+fn a_named_root_widens_what_the_scene_in_the_window_may_name() {
+    let home = TempDir::new().expect("there is room for a folder");
+    let project = home.path().join("project");
+    fs::create_dir(&project).expect("the folder is writable");
+    fs::write(home.path().join("wall.obj"), "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nf 1 2 3\n")
+        .expect("it is writable");
+    let scene = "(camera: (eye: (0, 0, 5), target: (0, 0, 0)), background: 0.2, render: (transfer: Linear),
+        objects: [Mesh(file: \"../wall.obj\", material: (color: 0, emission: 0.6))])";
+    fs::write(project.join("scene.ron"), scene).expect("it is writable");
+    let Some(mut narrow) = Desk::open(&project, "scene.ron", SIZE) else { return };
+    let broken = narrow.wait_for_event("broken");
+    let text = broken["text"].as_str().unwrap_or_default();
+    assert!(text.contains("../wall.obj") && text.contains("--root"), "{text}");
+    drop(narrow);
+    let size = format!("{}x{}", SIZE[0], SIZE[1]);
+    let wide = Desk::open_with(&project, "scene.ron", SIZE, None, &["--size", &size, "--root", ".."]);
+    // Below the triangle's tip, left of the panel.
+    wide.expect("there was an Xvfb before").wait_for_color(160, 300, [level(0.6); 3]);
+}
+
+#[test]
 fn numbers_make_no_pipeline_and_structure_makes_one() {
     let Some((home, mut desk)) = opened_and_ready(&plain("0.1")) else { return };
     let scene = home.path().join("scene.ron");
