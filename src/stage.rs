@@ -26,13 +26,13 @@ impl Compiled {
     /// Where naga refuses it although it took the material before, which would be a mistake of ours.
     pub fn on_stage(&self, material: usize) -> Result<Self, Diagnostic> {
         let sources = Sources::in_memory().with("stage.ron", STAGE);
-        let stage = compile(&sources, "stage.ron".as_ref(), self.source.mode, None);
+        let stage = compile(&sources, "stage.ron".as_ref(), self.source.target.mode, None);
         let mut scene = stage.compiled.expect("the stage has no mistakes").scene;
         scene.images.clone_from(&self.scene.images);
         scene.models.clone_from(&self.scene.models);
         scene.textures.clone_from(&self.scene.textures);
         scene.materials.clone_from(&self.scene.materials);
         scene.primitives.iter_mut().for_each(|object| object.material = material);
-        self.with_scene(scene, self.source.mode)
+        self.with_scene(scene, self.source.target.clone())
     }
 }

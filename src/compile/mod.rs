@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, Report};
 use crate::library::Library;
 use crate::module::{self, Module};
 use crate::sources::Sources;
-use crate::wgsl::{self, Mode, Source};
+use crate::wgsl::{self, Mode, Source, Target};
 use crate::{ir, scene};
 
 /// A scene that is ready for a GPU.
@@ -80,7 +80,7 @@ fn stages(
     }
     let (scene, mut warnings) = ir::resolve(&name, &text, &root, &library)?;
     let resolve = clock.lap();
-    let source = wgsl::generate(&scene, mode);
+    let source = wgsl::generate(&scene, &Target::raytoy(mode));
     let generate = clock.lap();
     let known = before.filter(|b| b.source.sections == source.sections).map(|b| b.module.clone());
     let module = match known {

@@ -4,7 +4,7 @@
 
 use super::{Compiled, on_deep_stack};
 use crate::diagnostic::Diagnostic;
-use crate::wgsl::{self, Mode, Source};
+use crate::wgsl::{self, Mode, Target};
 use crate::{ir, module};
 
 impl Compiled {
@@ -13,15 +13,15 @@ impl Compiled {
     /// # Errors
     /// If naga refuses that text although it took the other, which would be a mistake of ours.
     pub fn in_mode(&self, mode: Mode) -> Result<Self, Diagnostic> {
-        self.with_scene(self.scene.clone(), mode)
+        self.with_scene(self.scene.clone(), Target { mode, ..self.source.target.clone() })
     }
 
-    /// This scene as [`wgsl::generate_plain`] writes it: no debug views, and all numbers as literals.
+    /// This scene without debug views, and with all numbers as literals.
     ///
     /// # Errors
     /// If naga refuses that text although it took the whole, which would be a mistake of ours.
     pub fn plain(&self) -> Result<Self, Diagnostic> {
-        self.with_source(self.scene.clone(), wgsl::generate_plain(&self.scene))
+        self.with_scene(self.scene.clone(), Target::plain())
     }
 
     /// The scene with one object alone: the one that has this primitive is seen and casts a shadow. Lights,
@@ -36,7 +36,7 @@ impl Compiled {
             object.visible = is_chosen;
             object.casts_shadow = is_chosen;
         }
-        self.with_scene(scene, self.source.mode)
+        self.with_scene(scene, self.source.target.clone())
     }
 
     /// This scene with a number for the debug view `value`.
@@ -51,7 +51,7 @@ impl Compiled {
                 format!("the scene and what is measured have more than {} images", ir::Scene::MAX_IMAGES);
             return Err(Diagnostic::error(message));
         }
-        self.with_scene(scene, self.source.mode)
+        self.with_scene(scene, Target { views: true, ..self.source.target.clone() })
     }
 
     /// Returns true if `other` can use the pipeline of this one, where both have their numbers as data.
@@ -59,21 +59,17 @@ impl Compiled {
         self.source.sections == other.source.sections && self.scene.has_files_of(&other.scene)
     }
 
-    pub(crate) fn with_scene(&self, scene: ir::Scene, mode: Mode) -> Result<Self, Diagnostic> {
-        let source = wgsl::generate(&scene, mode);
-        self.with_source(scene, source)
-    }
-
-    fn with_source(&self, scene: ir::Scene, source: Source) -> Result<Self, Diagnostic> {
-        let module = on_deep_stack(|| module::validate(&source))?;
-        Ok(Self { text: self.text.clone(), scene, source, module, times: self.times })
-    }
-
     /// This scene with the entry points by which a [`crate::gpu::Probe`] asks it.
     ///
     /// # Errors
     /// If naga refuses them, since a file of the author's has a function of the same name.
     pub fn probed(&self) -> Result<Self, Diagnostic> {
-        self.with_source(self.scene.clone(), self.source.clone().with_probe())
+        self.with_scene(self.scene.clone(), Target { probe: true, ..self.source.target.clone() })
+    }
+
+    pub(crate) fn with_scene(&self, scene: ir::Scene, target: Target) -> Result<Self, Diagnostic> {
+        let source = wgsl::generate(&scene, &target);
+        let module = on_deep_stack(|| module::validate(&source))?;
+        Ok(Self { text: self.text.clone(), scene, source, module, times: self.times })
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::text::{TextDifference, with_origin_of};
 use crate::compile::Compiled;
-use crate::wgsl::{Mode, Section, generate};
+use crate::wgsl::{Mode, Section, Target, generate};
 
 /// How the shaders of two scenes differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,7 +22,8 @@ impl ShaderDifference {
     /// Both with their numbers written out.
     pub fn between(old: &Compiled, new: &Compiled) -> Self {
         let (golden, actual) = (old.source.generated(), new.source.generated());
-        let [live, new_live] = [old, new].map(|compiled| generate(&compiled.scene, Mode::Live));
+        let [live, new_live] =
+            [old, new].map(|compiled| generate(&compiled.scene, &Target::raytoy(Mode::Live)));
         let own_is_same = with_origin_of(new_live.generated(), live.generated()) == new_live.generated();
         let texts = |sections: &[Section]| -> Vec<Arc<str>> {
             sections[1..].iter().map(|section| section.text.clone()).collect()

@@ -12,7 +12,7 @@ mod standalone;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
-use self::standalone::Standalone;
+use self::standalone::{Standalone, settings};
 use crate::compile::{Compiled, on_deep_stack};
 use crate::wgsl::Host;
 
@@ -93,9 +93,12 @@ impl std::error::Error for ExportError {}
 /// If the scene cannot be exported.
 pub fn export(compiled: &Compiled, language: Language) -> Result<Export, ExportError> {
     let scene = &compiled.scene;
-    let host = if language == Language::Glsl { Host::Shadertoy } else { Host::Any };
+    let host = match language {
+        Language::Glsl => Host::Shadertoy { settings: settings(scene) },
+        Language::Wgsl | Language::Spirv | Language::Msl | Language::Hlsl => Host::Any,
+    };
     let write = || {
-        let alone = Standalone::new(scene, host)?;
+        let alone = Standalone::new(scene, host.clone())?;
         let shader = match language {
             Language::Wgsl => native::wgsl(scene, &alone).into_bytes(),
             Language::Glsl => shadertoy::glsl(scene, &alone)?.into_bytes(),

@@ -11,7 +11,7 @@ use crate::frame::{FrameUniforms, Moment};
 use crate::ir::Scene;
 use crate::library::Const;
 use crate::module::validate;
-use crate::wgsl::{Host, Source, generate_alone};
+use crate::wgsl::{Host, Source, Target, generate};
 
 /// A module that needs no raytoy.
 pub struct Standalone {
@@ -24,13 +24,13 @@ pub struct Standalone {
 
 impl Standalone {
     pub fn new(scene: &Scene, host: Host) -> Result<Self, ExportError> {
-        let source = generate_alone(scene, host, &settings(scene));
+        let source = generate(scene, &Target::without_raytoy(host));
         let validated = validate(&source).map_err(|problem| {
             let place = problem.labels.first().map_or("its own text", |(place, _)| place.file.as_str());
             ExportError::Refused(format!("{} (in {place})", problem.message))
         })?;
         let mut module = validated.naga().clone();
-        if host == Host::Shadertoy {
+        if let Host::Shadertoy { .. } = source.target.host {
             integers::define(&mut module, validated.info());
         }
         compact(&mut module, KeepUnused::No);
@@ -43,9 +43,9 @@ impl Standalone {
 }
 
 /// The scene's values for the fields of shaders/frame.wgsl, for a picture one pixel high.
-pub fn settings(scene: &Scene) -> [(&'static str, Const); 7] {
+pub fn settings(scene: &Scene) -> Vec<(&'static str, Const)> {
     let frame = FrameUniforms::new(&Moment::of(scene), &scene.render, 0, [1, 1], 0, [0.0; 2]);
-    [
+    vec![
         ("eye", Const::Vec3(frame.eye.into())),
         ("right", Const::Vec3(frame.right.into())),
         ("up", Const::Vec3(frame.up.into())),

@@ -119,7 +119,7 @@ pub(super) fn shader_module(gpu: &Gpu, compiled: &Compiled) -> wgpu::ShaderModul
 /// The buffer of a live scene's numbers, filled; none where they are literals.
 pub(super) fn numbers_buffer(gpu: &Gpu, compiled: &Compiled) -> Option<wgpu::Buffer> {
     let numbers: &[u8] = bytemuck::cast_slice(&compiled.source.numbers);
-    (compiled.source.mode == Mode::Live).then(|| {
+    (compiled.source.target.mode == Mode::Live).then(|| {
         let buffer = uniform_buffer(gpu, "numbers", numbers.len() as u64);
         gpu.queue.write_buffer(&buffer, 0, numbers);
         buffer
@@ -177,6 +177,6 @@ fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
         FORMAT,
     );
     let casters = compiled.scene.casters();
-    let has_views = compiled.source.has_views();
+    let has_views = compiled.source.target.views;
     Pipeline { pipeline, layout, numbers, assets, guard, casters, has_views }
 }

@@ -55,7 +55,7 @@ impl Sketch {
             program: Arc::new(program),
             images: Images::of(&compiled.scene).into(),
             numbers: compiled.source.numbers.as_slice().into(),
-            has_views: compiled.source.has_views(),
+            has_views: compiled.source.target.views,
         })
     }
 

@@ -1,28 +1,27 @@
 //! A scene that is to be drawn without raytoy: its text brings along what raytoy adds to other scenes.
 //!
-//! In: a [`Scene`], and what its camera and settings come to. Out: a [`Source`] with other entry points.
+//! In: the scene's picture settings, and a [`Host`]. Out: functions of the scene's own section.
 
 use super::code::{Code, CodeLines};
 use super::numbers::Numbers;
-use super::{Host, Mode, Source, Writer};
-use crate::ir::{Render, Scene, ToneMap, Transfer};
+use super::{Host, Writer};
+use crate::ir::{Render, ToneMap, Transfer};
 use crate::library::Const;
 
-/// The module for `scene`, with its numbers as literals and an opening that only lists what is in it.
-///
-/// `settings` are fields of `Frame` in shaders/frame.wgsl. They get into the text for a host that has no
-/// uniforms; `pixel_spread` is then that of a picture one pixel high.
-pub fn generate_alone(scene: &Scene, host: Host, settings: &[(&str, Const)]) -> Source {
-    let scene = &Scene { measure: None, ..scene.clone() };
-    let mut writer = Writer::new(scene, Mode::Baked);
-    let block = writer.scene_text();
-    let mut text = writer.contents();
-    text.extend(block);
-    text.extend(display(&scene.render, &mut writer.numbers));
-    if host == Host::Shadertoy {
-        text.extend(preset(settings, &mut writer.numbers));
+impl Writer<'_> {
+    /// What raytoy itself does in its display pass and its uniforms; nothing for raytoy.
+    pub fn without_raytoy(&mut self, host: &Host) -> CodeLines {
+        let mut lines = CodeLines::default();
+        match host {
+            Host::Raytoy => {}
+            Host::Any => lines.extend(display(&self.scene.render, &mut self.numbers)),
+            Host::Shadertoy { settings } => {
+                lines.extend(display(&self.scene.render, &mut self.numbers));
+                lines.extend(preset(settings, &mut self.numbers));
+            }
+        }
+        lines
     }
-    writer.sections(text, host)
 }
 
 /// The function `shown`: what shaders/display.wgsl does in raytoy, with nothing left to choose.

@@ -1,6 +1,6 @@
 //! From the resolved scene to WGSL that reads as if someone had written it for this scene.
 //!
-//! In: [`ir::Scene`]. Out: a [`Source`], the same bytes every time. Nothing here can fail.
+//! In: [`ir::Scene`], and a [`Target`]. Out: a [`Source`], the same bytes every time. Nothing here can fail.
 
 mod alone;
 mod answer;
@@ -16,32 +16,25 @@ mod objects;
 mod primitives;
 mod sections;
 mod sharing;
+mod target;
 mod values;
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-pub use self::alone::generate_alone;
 use self::code::CodeLines;
 use self::names::Names;
 use self::numbers::Numbers;
-pub use self::sections::Host;
+pub use self::sections::files;
+pub use self::target::{Host, Mode, Target};
 use crate::ir;
 use crate::library::{Function, built_in};
-
-/// What becomes of a scene's numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mode {
-    /// Slots of [`Source::numbers`], which the shader reads: an edit of a number changes no text.
-    Live,
-    /// Literals.
-    Baked,
-}
 
 /// A WGSL module in sections, each from one place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Source {
-    pub mode: Mode,
+    pub target: Target,
     /// The scene's own section first, then those that it needs.
     pub sections: Vec<Section>,
     /// What the slots of the live mode hold, four to a `vec4f`; empty when baked.
@@ -73,17 +66,6 @@ impl Source {
         &self.sections[0].text
     }
 
-    /// The same module with the entry points of shaders/probe.wgsl.
-    pub fn with_probe(mut self) -> Self {
-        self.sections.push(sections::probe());
-        self
-    }
-
-    /// Whether it draws debug views.
-    pub fn has_views(&self) -> bool {
-        self.sections.iter().any(|section| section.name == sections::VIEWS)
-    }
-
     /// Whether it has shaders/guard.wgsl, and loops that have to ask it.
     pub fn is_guarded(&self) -> bool {
         self.sections.iter().any(|section| section.name == sections::GUARD)
@@ -108,24 +90,25 @@ impl Source {
     }
 }
 
-/// The module for `scene`.
-pub fn generate(scene: &ir::Scene, mode: Mode) -> Source {
-    generate_for(Host::Raytoy, scene, mode)
-}
-
-/// The module for `scene` without debug views, with its numbers as literals.
-pub fn generate_plain(scene: &ir::Scene) -> Source {
-    let scene = ir::Scene { measure: None, ..scene.clone() };
-    generate_for(Host::RaytoyPlain, &scene, Mode::Baked)
-}
-
-fn generate_for(host: Host, scene: &ir::Scene, mode: Mode) -> Source {
-    let mut writer = Writer::new(scene, mode);
+/// The module for `scene` as `target` wants it.
+pub fn generate(scene: &ir::Scene, target: &Target) -> Source {
+    // Only a debug view shows what is measured.
+    let scene = match scene.measure {
+        Some(_) if !target.views => Cow::Owned(ir::Scene { measure: None, ..scene.clone() }),
+        _ => Cow::Borrowed(scene),
+    };
+    let mut writer = Writer::new(&scene, target.mode);
     let block = writer.scene_text();
-    let mut text = writer.title();
+    let mut text = CodeLines::default();
+    match target.host {
+        Host::Raytoy => text.extend(writer.title()),
+        // An export opens with a head of its own.
+        Host::Any | Host::Shadertoy { .. } => {}
+    }
     text.extend(writer.contents());
     text.extend(block);
-    writer.sections(text, host)
+    text.extend(writer.without_raytoy(&target.host));
+    writer.sections(text, target)
 }
 
 /// What is known while one scene is written.
@@ -188,12 +171,11 @@ impl<'a> Writer<'a> {
     }
 
     /// The module that opens with `text`.
-    fn sections(self, text: CodeLines, host: Host) -> Source {
+    fn sections(self, text: CodeLines, target: &Target) -> Source {
         let own = Section { name: format!("generated from {}", self.scene.name), text: text.finish().into() };
-        let needed = sections::needed(&own, &self.used, host);
-        let unmeasured = (host == Host::Raytoy && self.scene.measure.is_none()).then(sections::unmeasured);
-        let sections = [own].into_iter().chain(needed).chain(unmeasured).collect();
-        Source { mode: self.mode, sections, numbers: self.numbers.into_data() }
+        let needed = sections::needed(&own, &self.used, target, self.scene.measure.is_some());
+        let sections = [own].into_iter().chain(needed).collect();
+        Source { target: target.clone(), sections, numbers: self.numbers.into_data() }
     }
 
     fn uses(&mut self, function: &Arc<Function>) {

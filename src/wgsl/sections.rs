@@ -1,111 +1,135 @@
-//! Which files a scene needs besides its own section.
+//! Which files a module has besides the scene's own section.
+//!
+//! In: a [`Target`], the scene's section, the functions that it uses. Out: sections.
 
 use std::sync::Arc;
 
-use super::Section;
-use crate::library::{BUILT_IN, Function, built_in};
+use super::{Host, Section, Target};
+use crate::library::{Function, built_in};
 
-/// The hand-written shader around every scene.
-const CORE: [&str; 13] = [
-    "pixel",
-    "trace",
-    "branch",
-    "media",
-    "footprint_samples",
-    "point",
-    "shading",
-    "light",
-    "material",
-    "space",
-    "hit",
-    "ray",
-    "frame",
-];
+/// Which modules have a file of shaders/.
+enum Presence {
+    /// Those of which this is true.
+    If(fn(&Module) -> bool),
+    /// Those in which one of its functions is called.
+    IfCalled,
+    /// No scene's: it is a pass over a finished picture.
+    Never,
+}
 
-/// What goes before it: the entry points, by those who call them.
-const OF_RAYTOY: [&str; 4] = ["main", "cover", "view", "number_color"];
-const OF_RAYTOY_PLAIN: [&str; 4] = ["main", "cover", "plain", "unviewed"];
-const OF_ANY_HOST: [&str; 4] = ["standalone", "cover", "unviewed", "tone"];
-const OF_SHADERTOY: [&str; 5] = ["shadertoy", "unviewed", "tone", "integers", "integer_vectors"];
+/// What decides on the files of one module.
+struct Module<'a> {
+    target: &'a Target,
+    /// Whether the scene's own section has `measuredAt`.
+    is_measured: bool,
+    /// Whether a file of the author's has loops.
+    may_loop_for_ever: bool,
+}
 
-/// Files in shaders/ that are no part of every picture's shader.
-const APART: [&str; 5] = ["display", "guard", "lines", "probe", "unmeasured"];
-const PROBE: &str = "shaders/probe.wgsl";
-const UNMEASURED: &str = "shaders/unmeasured.wgsl";
-/// The debug views.
-pub const VIEWS: &str = "shaders/view.wgsl";
-/// What ends the loops of the author's.
+/// The end of the loops of the author's.
 pub const GUARD: &str = "shaders/guard.wgsl";
 
-/// Who draws with a module.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Host {
-    /// This program: [`crate::gpu`].
-    Raytoy,
-    /// The same, as long as it shows no debug view: drivers compile that a fifth sooner.
-    RaytoyPlain,
-    /// A program of anyone's, without raytoy.
-    Any,
-    /// shadertoy.com, which takes one function without any bindings.
-    Shadertoy,
+/// Each file of shaders/ but for the shapes, in the order of a module's sections. Those that are there if
+/// they are called stand before all others.
+const FILES: [(&str, Presence); 45] = [
+    ("shaders/bands.wgsl", Presence::IfCalled),
+    ("shaders/bump.wgsl", Presence::IfCalled),
+    ("shaders/cells.wgsl", Presence::IfCalled),
+    ("shaders/facet.wgsl", Presence::IfCalled),
+    ("shaders/footprint.wgsl", Presence::IfCalled),
+    ("shaders/image.wgsl", Presence::IfCalled),
+    ("shaders/march.wgsl", Presence::IfCalled),
+    ("shaders/model.wgsl", Presence::IfCalled),
+    ("shaders/model_surface.wgsl", Presence::IfCalled),
+    ("shaders/noise.wgsl", Presence::IfCalled),
+    ("shaders/octaves.wgsl", Presence::IfCalled),
+    ("shaders/ramp.wgsl", Presence::IfCalled),
+    ("shaders/remainder.wgsl", Presence::IfCalled),
+    ("shaders/solid.wgsl", Presence::IfCalled),
+    ("shaders/triplanar.wgsl", Presence::IfCalled),
+    ("shaders/watertight.wgsl", Presence::IfCalled),
+    // Entry points, by those who call them, and what these stand on.
+    ("shaders/main.wgsl", Presence::If(|module| module.is_for_raytoy())),
+    ("shaders/standalone.wgsl", Presence::If(|module| module.target.host == Host::Any)),
+    ("shaders/shadertoy.wgsl", Presence::If(|module| module.is_for_shadertoy())),
+    ("shaders/cover.wgsl", Presence::If(|module| !module.is_for_shadertoy())),
+    ("shaders/view.wgsl", Presence::If(|module| module.target.views)),
+    ("shaders/number_color.wgsl", Presence::If(|module| module.target.views)),
+    ("shaders/plain.wgsl", Presence::If(|module| module.is_for_raytoy() && !module.target.views)),
+    ("shaders/unviewed.wgsl", Presence::If(|module| !module.target.views)),
+    ("shaders/tone.wgsl", Presence::If(|module| !module.is_for_raytoy())),
+    ("shaders/integers.wgsl", Presence::If(|module| module.is_for_shadertoy())),
+    ("shaders/integer_vectors.wgsl", Presence::If(|module| module.is_for_shadertoy())),
+    // The core of every module.
+    ("shaders/pixel.wgsl", Presence::If(|_| true)),
+    ("shaders/trace.wgsl", Presence::If(|_| true)),
+    ("shaders/branch.wgsl", Presence::If(|_| true)),
+    ("shaders/media.wgsl", Presence::If(|_| true)),
+    ("shaders/footprint_samples.wgsl", Presence::If(|_| true)),
+    ("shaders/point.wgsl", Presence::If(|_| true)),
+    ("shaders/shading.wgsl", Presence::If(|_| true)),
+    ("shaders/light.wgsl", Presence::If(|_| true)),
+    ("shaders/material.wgsl", Presence::If(|_| true)),
+    ("shaders/space.wgsl", Presence::If(|_| true)),
+    ("shaders/hit.wgsl", Presence::If(|_| true)),
+    ("shaders/ray.wgsl", Presence::If(|_| true)),
+    ("shaders/frame.wgsl", Presence::If(|_| true)),
+    // What few modules have besides.
+    (GUARD, Presence::If(|module| module.is_for_raytoy() && module.may_loop_for_ever)),
+    ("shaders/unmeasured.wgsl", Presence::If(|module| module.target.views && !module.is_measured)),
+    ("shaders/probe.wgsl", Presence::If(|module| module.target.probe)),
+    ("shaders/display.wgsl", Presence::Never),
+    ("shaders/lines.wgsl", Presence::Never),
+];
+
+impl Module<'_> {
+    fn is_for_raytoy(&self) -> bool {
+        self.target.host == Host::Raytoy
+    }
+
+    fn is_for_shadertoy(&self) -> bool {
+        matches!(self.target.host, Host::Shadertoy { .. })
+    }
+}
+
+/// The files of shaders/ that modules have, and those of other passes: all but the shapes.
+pub fn files() -> impl Iterator<Item = &'static str> {
+    FILES.iter().map(|(name, _)| *name)
 }
 
 /// The sections that the scene's own text and the functions that it uses stand on.
-pub fn needed(own: &Section, used: &[Arc<Function>], host: Host) -> Vec<Section> {
+pub fn needed(own: &Section, used: &[Arc<Function>], target: &Target, is_measured: bool) -> Vec<Section> {
     let mut sections: Vec<Section> =
         used.iter().map(|f| Section { name: f.file.clone(), text: f.text.clone() }).collect();
     // Shared files may use each other, so each round may find more.
     loop {
         let calls = |f: &str| calls(&own.text, f) || sections.iter().any(|s| calls(&s.text, f));
-        let found: Vec<Section> = shared()
+        let shared = FILES.iter().filter(|(_, presence)| matches!(presence, Presence::IfCalled));
+        let found: Vec<Section> = shared
             .filter(|(name, _)| sections.iter().all(|s| s.name != *name))
-            .filter(|(_, text)| functions_in(text).any(calls))
-            .map(|(name, text)| section(name, text))
+            .filter(|(name, _)| functions_in(text_of(name)).any(calls))
+            .map(|(name, _)| section(name))
             .collect();
         if found.is_empty() {
             break;
         }
         sections.extend(found);
     }
-    let entries = match host {
-        Host::Raytoy => &OF_RAYTOY[..],
-        Host::RaytoyPlain => &OF_RAYTOY_PLAIN,
-        Host::Any => &OF_ANY_HOST,
-        Host::Shadertoy => &OF_SHADERTOY,
-    };
-    for stem in entries.iter().chain(&CORE) {
-        let name = format!("shaders/{stem}.wgsl");
-        sections.push(section(&name, built_in(&name).expect("the lists name files in shaders/")));
-    }
-    let may_loop_for_ever = |section: &Section| !section.ships() && has_loop(&section.text);
-    let is_ours = matches!(host, Host::Raytoy | Host::RaytoyPlain);
-    if is_ours && sections.iter().any(may_loop_for_ever) {
-        sections.push(section(GUARD, built_in(GUARD).expect("it ships with raytoy")));
-    }
+    let may_loop_for_ever = sections.iter().any(|section| !section.ships() && has_loop(&section.text));
+    let module = Module { target, is_measured, may_loop_for_ever };
+    sections.extend(FILES.iter().filter_map(|(name, presence)| match presence {
+        Presence::If(is_in) => is_in(&module).then(|| section(name)),
+        Presence::IfCalled | Presence::Never => None,
+    }));
     sections
 }
 
-/// The entry points that ask a scene's functions for values.
-pub fn probe() -> Section {
-    section(PROBE, built_in(PROBE).expect("it ships with raytoy"))
+fn section(name: &str) -> Section {
+    Section { name: name.into(), text: text_of(name).into() }
 }
 
-/// What stands for the number that nobody measures.
-pub fn unmeasured() -> Section {
-    section(UNMEASURED, built_in(UNMEASURED).expect("it ships with raytoy"))
-}
-
-fn section(name: &str, text: &str) -> Section {
-    Section { name: name.into(), text: text.into() }
-}
-
-/// Files in shaders/ that are there for those who call them.
-fn shared() -> impl Iterator<Item = (&'static str, &'static str)> {
-    BUILT_IN.iter().copied().filter(|(name, _)| {
-        let stem = name.strip_prefix("shaders/").and_then(|n| n.strip_suffix(".wgsl"));
-        let named = [&CORE[..], &OF_RAYTOY, &OF_RAYTOY_PLAIN, &OF_ANY_HOST, &OF_SHADERTOY, &APART];
-        stem.is_some_and(|s| !s.contains('/') && !named.iter().any(|list| list.contains(&s)))
-    })
+fn text_of(name: &str) -> &'static str {
+    built_in(name).expect("the table names files in shaders/")
 }
 
 /// Whether a word of the text begins a loop. One in a comment may count, too, but none may be missed: a

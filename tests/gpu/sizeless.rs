@@ -12,7 +12,7 @@ use raytoy::ir::Value;
 use raytoy::library::{Const, Family, Function, Library, Parameter, Type, sample};
 use raytoy::sketch::Sketch;
 use raytoy::sources::Sources;
-use raytoy::wgsl::{Mode, generate};
+use raytoy::wgsl::{Mode, Target, generate};
 
 /// Each is refused at the last value that is named.
 const REFUSED: [(&str, &str); 29] = [
@@ -145,7 +145,7 @@ fn check(function: &Function) -> Vec<String> {
                 let mut odd = good.scene.clone();
                 odd.primitives[at].arguments[index] = Value::Const(value);
                 let mut live = good.clone();
-                live.source.numbers = generate(&odd, Mode::Live).numbers;
+                live.source.numbers = generate(&odd, &Target::raytoy(Mode::Live)).numbers;
                 problems.extend(strays(&live).map(|why| {
                     format!(
                         "{}, {} = {value:?}, {stage}: {why}",

@@ -8,7 +8,7 @@ use crate::common::{
 };
 use raytoy::ir::{Measure, Scene};
 use raytoy::module::nesting::deepest;
-use raytoy::wgsl::Mode;
+use raytoy::wgsl::{Mode, Target, generate};
 
 /// The longest line and the longest function of the text that raytoy writes.
 const MAX_COLUMNS: usize = 100;
@@ -94,7 +94,7 @@ fn ten_runs_write_the_same_bytes() {
     for scene in good_scenes() {
         let first = expect_compiled(outcome(&scene, Mode::Live)).scene;
         let in_both =
-            |scene: &Scene| [Mode::Baked, Mode::Live].map(|mode| raytoy::wgsl::generate(scene, mode));
+            |scene: &Scene| [Mode::Baked, Mode::Live].map(|mode| generate(scene, &Target::raytoy(mode)));
         let sources = in_both(&first);
         for run in 1..10 {
             let again = resolved(&scene);

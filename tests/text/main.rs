@@ -29,6 +29,7 @@ mod picture_files;
 mod pictures;
 mod reading;
 mod root;
+mod sections;
 mod settings;
 mod thumbnails;
 mod tidy;

@@ -77,7 +77,7 @@ impl Builder {
     pub(super) fn advance(&mut self, done: &impl Fn(BuilderEvent)) {
         match self.next_stage.take() {
             // Nothing can be shown of it without views.
-            Some(NextStage::Baked(compiled, baked)) if self.shows_views && !baked.source.has_views() => {
+            Some(NextStage::Baked(compiled, baked)) if self.shows_views && !baked.source.target.views => {
                 self.next_stage = Some(NextStage::Full(compiled));
                 self.build_full(done);
             }

@@ -7,8 +7,7 @@ use std::sync::Arc;
 use crate::compile::Compiled;
 use crate::difference::{Hunk, TextDifference, with_origin_of};
 use crate::engine::focus::Focus;
-use crate::ir::Scene;
-use crate::wgsl::{Mode, generate};
+use crate::wgsl::{Mode, Target, generate};
 
 /// A line, and before it what a diff says of it: ' ' for both versions, '-' for the old one, '+' for the new
 /// one, '@' for where it is.
@@ -140,13 +139,8 @@ pub fn baked(compiled: &Compiled) -> String {
 }
 
 fn own_text(compiled: &Compiled, mode: Mode) -> String {
-    match compiled.scene.measure {
-        None => generate(&compiled.scene, mode).generated().to_owned(),
-        Some(_) => {
-            let scene = Scene { measure: None, ..compiled.scene.clone() };
-            generate(&scene, mode).generated().to_owned()
-        }
-    }
+    let target = Target { views: false, ..Target::raytoy(mode) };
+    generate(&compiled.scene, &target).generated().to_owned()
 }
 
 /// Whether both have the same text once their numbers are data. What is measured does not count.

@@ -287,7 +287,7 @@ fn an_isolated_object_is_alone_with_its_body() {
         {
             let alone = whole.isolated(object).unwrap_or_else(|e| panic!("{e:?}"));
             assert_eq!(objects(&alone), body, "{object}");
-            assert_eq!((alone.source.mode, alone.scene.camera), (mode, whole.scene.camera));
+            assert_eq!((alone.source.target.mode, alone.scene.camera), (mode, whole.scene.camera));
             assert_eq!(alone.scene.primitives, whole.scene.primitives);
         }
         // Nothing shades the floor any more.
@@ -315,7 +315,7 @@ fn a_material_on_stage_is_the_scenes_own() {
         for (material, color) in [("a", Vec3::Z), ("b", Vec3::X)] {
             let index = whole.scene.materials.iter().position(|m| m.name == material).expect("it is named");
             let stage = whole.on_stage(index).unwrap_or_else(|e| panic!("{e:?}"));
-            assert_eq!(stage.source.mode, mode);
+            assert_eq!(stage.source.target.mode, mode);
             let shown = view(gpu, &stage, View::Material);
             let seen = identity(gpu, &stage, SIZE);
             let mut objects = [0; 3];
