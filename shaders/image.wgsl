@@ -1,6 +1,6 @@
 // Images from files.
 
-@group(1) @binding(0) var imageSampler: sampler;
+@group(1) @binding(0) var image_sampler: sampler;
 
 /// A point that belongs to no whole, so that an image lies on the uv plane.
 fn unfitted(at: Surface) -> Surface {
@@ -35,7 +35,7 @@ fn imageTexel(image: texture_2d<f32>, at: Surface, width: f32, repeat: bool, spr
     place.y = select(place.y, clamp(place.y, bottom + half_texel.y, -half_texel.y), ends);
     let kept = clamp(place + vec2f(0.0, 1.0), half_texel, 1.0 - half_texel);
     let level = log2(max(footprint * sqrt(texels_per_unit.x * texels_per_unit.y), 1.0));
-    let seen = textureSampleLevel(image, imageSampler, select(kept, place - floor(place), repeat), level);
+    let seen = textureSampleLevel(image, image_sampler, select(kept, place - floor(place), repeat), level);
     // The share of a pixel that lies within the edges.
     let room = (0.5 - abs(place + vec2f(-0.5, 0.5))) / abs(pictures_per_unit);
     let share = saturate(room / max(footprint, 1e-9) + 0.5);

@@ -73,8 +73,3 @@ fn refracted(direction: vec3f, normal: vec3f, ratio: f32) -> vec3f {
     }
     return ratio * direction + (ratio * cosine - sqrt(k)) * normal;
 }
-
-/// Brightness of a linear color (Rec. 709).
-fn luminance(color: vec3f) -> f32 {
-    return dot(color, vec3f(0.2126, 0.7152, 0.0722));
-}

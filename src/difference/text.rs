@@ -144,21 +144,17 @@ pub fn scene_of(text: &str) -> Option<&str> {
     text.lines().next()?.strip_prefix("// Generated from ")
 }
 
-/// The function that line `at` lies in, and the object whose comment stands above it there.
+/// The function that line `at` lies in, and the object whose words stand over that, or over one before: what
+/// has no doc line goes with what stands before it.
 fn place_of<'a>(lines: &[&'a str], at: usize) -> (Option<&'a str>, Option<&'a str>) {
-    let mut object = None;
-    for line in lines[..(at + 1).min(lines.len())].iter().rev() {
-        if let Some(rest) = line.strip_prefix("fn ") {
-            return (rest.split('(').next(), object);
-        }
-        if *line == "}" {
-            break;
-        }
-        if object.is_none() {
-            object = object_of(line);
-        }
-    }
-    (None, object)
+    let above = &lines[..(at + 1).min(lines.len())];
+    let name = |line: &&'a str| line.strip_prefix("fn ")?.split('(').next();
+    let function = match above.last().is_some_and(|line| line.starts_with("///")) {
+        true => lines[at..].iter().find_map(name),
+        false => above.iter().rev().take_while(|line| **line != "}").find_map(name),
+    };
+    let object = above.iter().rev().find(|line| line.starts_with("///")).and_then(|line| object_of(line));
+    (function, object)
 }
 
 fn described(function: Option<&str>, object: Option<&str>) -> String {
@@ -167,9 +163,9 @@ fn described(function: Option<&str>, object: Option<&str>) -> String {
     [function, object].into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
-/// The name in a comment such as `// objects[3] "ball": Sphere()`, or `// "die": Difference()`.
+/// The name in a doc line such as `/// objects[3] "ball": Sphere()`, or `/// "die": Difference()`.
 fn object_of(line: &str) -> Option<&str> {
-    let comment = line.trim_start().strip_prefix("//")?.trim_start_matches('/').trim_start();
+    let comment = line.strip_prefix("/// ")?;
     let named = match comment.strip_prefix("objects[") {
         Some(rest) => rest.split_once("] ")?.1,
         None => comment,
@@ -177,7 +173,7 @@ fn object_of(line: &str) -> Option<&str> {
     named.strip_prefix('"')?.split_once("\": ").map(|(name, _)| name)
 }
 
-/// The names of all objects, which their comments give in the functions that ask them.
+/// The names of all objects, which the words over their functions give.
 fn objects(text: &str) -> Vec<String> {
     let names: BTreeSet<&str> = text.lines().filter_map(object_of).collect();
     names.into_iter().map(str::to_owned).collect()

@@ -15,9 +15,9 @@ const HEAP: &str = "\
 SamplerState nagaSamplerHeap[2048]: register(s0, space0);
 SamplerComparisonState nagaComparisonSamplerHeap[2048]: register(s0, space1);
 StructuredBuffer<uint> nagaGroup1SamplerIndexArray : register(t1, space255);
-static const SamplerState imageSampler = nagaSamplerHeap[nagaGroup1SamplerIndexArray[0]];
+static const SamplerState image_sampler = nagaSamplerHeap[nagaGroup1SamplerIndexArray[0]];
 ";
-const OWN_SAMPLER: &str = "SamplerState imageSampler : register(s0, space1);\n";
+const OWN_SAMPLER: &str = "SamplerState image_sampler : register(s0, space1);\n";
 
 /// The module as text, which opens with how to draw it.
 pub fn wgsl(scene: &Scene, alone: &Standalone) -> String {

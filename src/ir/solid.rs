@@ -44,6 +44,16 @@ pub struct Object {
     pub casts_shadow: bool,
 }
 
+impl Object {
+    /// The author's name for it, or the one that its place in the file gives it.
+    pub fn name<'s>(&'s self, scene: &'s super::Scene) -> &'s str {
+        match &self.solid {
+            Solid::Primitive(index) => &scene.primitives[*index].name,
+            Solid::Csg(csg) => &csg.name,
+        }
+    }
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub enum Solid {
     /// One of [`super::Scene::primitives`].

@@ -100,6 +100,8 @@ pub enum Fit {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
     pub name: String,
+    /// The author's words, on one line; empty where it is no call.
+    pub caption: String,
     pub ty: Type,
     pub value: Value,
 }
@@ -107,6 +109,8 @@ pub struct Texture {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     pub name: String,
+    /// The author's words, on one line; empty where there are none.
+    pub caption: String,
     /// What the author has set, in the order of [`Property`].
     pub properties: Vec<(Property, Value)>,
     pub bump: Option<Bump>,

@@ -75,6 +75,24 @@ impl CodeLines {
         self.0.extend(whole.lines().map(str::to_owned));
     }
 
+    /// `case selectors: { before code; }` of a switch in a function; over several lines where it is too long.
+    pub fn case(&mut self, selectors: &Code, before: &str, code: &Code) {
+        let flat = format!("        case {}: {{ {before}{}; }}", selectors.flat(), code.flat());
+        if flat.len() <= WIDTH {
+            return self.push(flat);
+        }
+        self.statement(8, "case ", selectors, ": {");
+        self.statement(12, before, code, ";");
+        self.push("        }");
+    }
+
+    /// `fn head { return code; }`, over three lines and more.
+    pub fn function(&mut self, head: &str, code: &Code) {
+        self.push(format!("fn {head} {{"));
+        self.statement(4, "return ", code, ";");
+        self.push("}");
+    }
+
     /// `before a && b after`, `indent` columns in, one term a line where it is too long.
     pub fn chain(&mut self, indent: usize, before: &str, operator: &str, terms: &[String], after: &str) {
         let flat = format!("{:indent$}{before}{}{after}", "", terms.join(&format!(" {operator} ")));
@@ -89,11 +107,6 @@ impl CodeLines {
     pub fn finish(self) -> String {
         self.0.into_iter().map(|line| line + "\n").collect()
     }
-}
-
-/// A comment on one line, `indent` columns in.
-pub fn comment(indent: usize, text: &str) -> String {
-    one_line(&format!("{:indent$}// {text}", ""))
 }
 
 /// `text` without what ends a line of WGSL, cut where it is too long.

@@ -19,7 +19,7 @@ struct Part {
 }
 
 /// The functions of CSG solids, by the author's names for them.
-pub fn function_names(scene: &Scene, names: &mut Names) -> BTreeMap<String, String> {
+pub fn function_names(scene: &Scene, names: &mut Names<'_>) -> BTreeMap<String, String> {
     let mut found = BTreeMap::new();
     let mut open: Vec<&Solid> = scene.objects.iter().rev().map(|object| &object.solid).collect();
     while let Some(solid) = open.pop() {
@@ -42,23 +42,28 @@ impl Writer<'_> {
 
     fn csg(&self, csg: &Csg, primitives: &[WrittenPrimitive]) -> CodeLines {
         // A ray keeps its t in every space, so it is moved once.
-        let mut spaces: Vec<&Code> = vec![];
+        let mut spaces: Vec<usize> = vec![];
         let parts = self.parts(csg, primitives, &mut spaces);
         let mut lines = CodeLines::default();
         lines.push("");
-        let head = format!("\"{}\": ", csg.name);
-        lines.push(self.caption(0, &head, &csg.caption).replacen("//", "///", 1));
+        let object = self
+            .scene
+            .objects
+            .iter()
+            .position(|object| matches!(&object.solid, Solid::Csg(own) if own.name == csg.name));
+        let place = object.map_or_else(String::new, |object| format!("objects[{object}] "));
+        let head = format!("/// {place}\"{}\"", csg.name);
+        lines.push(self.caption(&head, &csg.caption));
         lines.push(format!("fn {}(ray: Ray) -> Crossing {{", self.csg_names[&csg.name]));
         lines.push("    var rest = ray;");
-        for (i, space) in spaces.iter().enumerate() {
-            let moved = Code::call("rayInto", [(*space).clone(), Code::atom("ray")]);
-            lines.statement(4, &format!("var moved{i} = "), &moved, ";");
+        for (i, primitive) in spaces.iter().enumerate() {
+            lines.statement(4, &format!("var moved{i} = "), &self.local(*primitive, "ray"), ";");
         }
         parts.iter().for_each(|part| lines.push(format!("    var {} = notAsked();", part.name)));
         lines.push("    for (var i = 0u; i < MAX_CROSSINGS; i++) {");
         for (part, solid) in parts.iter().zip(&csg.parts) {
             lines.push(format!("        if {}.t <= rest.t_min {{", part.name));
-            lines.extend(self.ask_part(part, solid, primitives));
+            lines.extend(self.ask_part(part, solid));
             lines.push("        }");
         }
         let nearest = parts.iter().map(|part| Code::atom(format!("{}.t", part.name)));
@@ -92,33 +97,29 @@ impl Writer<'_> {
         lines
     }
 
-    /// The parts, and the spaces that they stand in.
-    fn parts<'o>(
-        &self,
-        csg: &Csg,
-        primitives: &'o [WrittenPrimitive],
-        spaces: &mut Vec<&'o Code>,
-    ) -> Vec<Part> {
-        let mut names = Names::default();
+    /// The parts, and the primitives that stand in other spaces than those before.
+    fn parts(&self, csg: &Csg, primitives: &[WrittenPrimitive], spaces: &mut Vec<usize>) -> Vec<Part> {
+        let mut names = Names::beside([]);
+        let space = |index: usize| primitives[index].space.as_ref();
         let part = |solid: &Solid| {
-            let (name, space) = match solid {
+            let (name, moved) = match solid {
                 Solid::Primitive(index) => {
-                    (&self.scene.primitives[*index].name, primitives[*index].space.as_ref())
+                    (&self.scene.primitives[*index].name, space(*index).map(|_| *index))
                 }
                 Solid::Csg(inner) => (&inner.name, None),
             };
-            let ray = space.map(|space| {
-                let known = spaces.iter().position(|other| *other == space);
+            let ray = moved.map(|primitive| {
+                let known = spaces.iter().position(|other| space(*other) == space(primitive));
                 let index = known.unwrap_or_else(|| {
-                    spaces.push(space);
+                    spaces.push(primitive);
                     spaces.len() - 1
                 });
                 format!("moved{index}")
             });
             let own = name.strip_prefix(&csg.name).unwrap_or(name);
             Part {
-                name: names.function(own, "Part"),
-                turns: names.function(own, "Turns"),
+                name: names.variable(own, "part"),
+                turns: names.variable(own, "turns"),
                 ray: ray.unwrap_or_else(|| "rest".into()),
             }
         };
@@ -126,7 +127,7 @@ impl Writer<'_> {
     }
 
     /// The next crossing of a part with the rest of the ray.
-    fn ask_part(&self, part: &Part, solid: &Solid, primitives: &[WrittenPrimitive]) -> CodeLines {
+    fn ask_part(&self, part: &Part, solid: &Solid) -> CodeLines {
         let mut lines = CodeLines::default();
         let Part { name, ray, .. } = part;
         let index = match solid {
@@ -136,17 +137,14 @@ impl Writer<'_> {
             }
             Solid::Primitive(index) => *index,
         };
-        let written = &primitives[index];
-        let t = self.on_shape(index, "", Code::atom(ray), written);
-        lines.statement(12, "let t = ", &t, ";");
-        let surface = self.on_shape(index, "Surface", Code::atom(format!("pointAt({ray}, t)")), written);
+        lines.statement(12, "let t = ", &self.crossing(index, Code::atom(ray)), ";");
+        let surface = self.surface(index, Code::atom(format!("pointAt({ray}, t)")));
         lines.statement(12, "let on = ", &surface, ";");
         let arguments = [ray.as_str(), "t", &self.object_names[index], "on.geometric_normal"];
         let crossing = Code::call("crossing", arguments.map(Code::atom));
         lines.statement(12, &format!("{name} = "), &crossing, ";");
         if self.scene.primitives[index].shape.traits.is_endless {
-            let contains =
-                self.on_shape(index, "Contains", Code::atom(format!("pointBeyond({ray})")), written);
+            let contains = self.contains(index, Code::atom(format!("pointBeyond({ray})")));
             lines.statement(12, &format!("if t >= NO_HIT {{ {name}.leaves = "), &contains, "; }");
         }
         lines

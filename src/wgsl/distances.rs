@@ -23,7 +23,7 @@ impl Writer<'_> {
         let mut fields: Vec<Field> = vec![];
         for (index, primitive) in self.scene.primitives.iter().enumerate() {
             if primitive.is_textured() {
-                let name = self.field_names[index].clone();
+                let name = self.primitive_names[index].crossing.clone();
                 lines.extend(self.textured(index, &name, &primitives[index]));
                 fields.push(Field { name, parameters: vec![], arguments: vec![], has_surface: false });
             } else if primitive.shape.traits.is_distance {

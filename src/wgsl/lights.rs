@@ -17,7 +17,7 @@ impl Writer<'_> {
         let mut cases = CodeLines::default();
         for (index, light) in scene.lights.iter().enumerate() {
             let code = self.light(light);
-            cases.push(self.caption(8, &format!("lights[{index}]: "), &light.caption));
+            cases.push(self.caption(&format!("        // lights[{index}]"), &light.caption));
             cases.statement(8, &format!("case {index}u: {{ {}", answer.give()), &code, "; }");
         }
         let none = answer.given("pointLight(p, p, 0.0, vec3f(0.0))");

@@ -31,8 +31,7 @@ impl Writer<'_> {
         let mut cases = CodeLines::default();
         for (index, name) in self.material_names.iter().enumerate() {
             if let Some(objects) = self.cases(|material| material == index) {
-                let given = answer.given(&format!("{name}(at)"));
-                cases.statement(8, "case ", &objects, &format!(": {{ {given} }}"));
+                cases.case(&objects, &answer.give(), &Code::call(name, [Code::atom("at")]));
             }
         }
         cases.push(format!("        default: {{ {} }}", answer.given("matte(vec3f(0.0))")));
@@ -66,6 +65,7 @@ impl Writer<'_> {
         }
         let mut lines = CodeLines::default();
         lines.push("");
+        lines.push(self.caption(&format!("/// material \"{}\"", material.name), &material.caption));
         lines.push(format!("fn {}(at: Surface) -> Material {{", self.material_names[index]));
         lines.extend(block.lines);
         let matte = Code::call("matte", [color]);

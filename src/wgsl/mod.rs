@@ -26,6 +26,7 @@ use std::sync::Arc;
 use self::code::CodeLines;
 use self::names::Names;
 use self::numbers::Numbers;
+use self::primitives::PrimitiveNames;
 pub use self::sections::files;
 pub use self::target::{Host, Mode, Target};
 use crate::ir;
@@ -97,8 +98,7 @@ pub fn generate(scene: &ir::Scene, target: &Target) -> Source {
         Some(_) if !target.views => Cow::Owned(ir::Scene { measure: None, ..scene.clone() }),
         _ => Cow::Borrowed(scene),
     };
-    let mut writer = Writer::new(&scene, target.mode);
-    let block = writer.scene_text();
+    let (mut writer, block) = Writer::with_text(&scene, target.mode);
     let mut text = CodeLines::default();
     match target.host {
         Host::Raytoy => text.extend(writer.title()),
@@ -118,8 +118,10 @@ struct Writer<'a> {
     numbers: Numbers,
     /// Constants of the objects: `OBJECT_FLOOR`.
     object_names: Vec<String>,
-    /// Functions of the objects whose shapes take textures.
-    field_names: Vec<String>,
+    /// Functions of the primitives.
+    primitive_names: Vec<PrimitiveNames>,
+    /// Functions that test the bounds of objects, where the author gave some.
+    reach_names: Vec<String>,
     /// The images, in the order of their bindings.
     images_in_use: Vec<usize>,
     /// Constants of the models: `MODEL_KNOT`.
@@ -134,8 +136,24 @@ struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    fn new(scene: &'a ir::Scene, mode: Mode) -> Self {
-        let mut names = Names::default();
+    /// All of the scene's own section but its head. What it uses is known only afterwards, so a name that an
+    /// author's file has, too, is found then, and all is written again.
+    fn with_text(scene: &'a ir::Scene, mode: Mode) -> (Self, CodeLines) {
+        let mut names = Names::beside([]);
+        let mut writer = Self::new(scene, mode, &mut names);
+        let text = writer.scene_text();
+        let used = writer.used.clone();
+        // No name is a function of raytoy's own files.
+        let files = || used.iter().map(|function| &*function.text);
+        if !files().any(|file| names.meet(file)) {
+            return (writer, text);
+        }
+        let mut writer = Self::new(scene, mode, &mut Names::beside(files()));
+        let text = writer.scene_text();
+        (writer, text)
+    }
+
+    fn new(scene: &'a ir::Scene, mode: Mode, names: &mut Names<'_>) -> Self {
         let object_names = scene.primitives.iter().map(|o| names.constant("OBJECT", &o.name)).collect();
         let material_names = scene.materials.iter().map(|m| names.function(&m.name, "Material")).collect();
         let texture_names = scene.textures.iter().map(|t| names.function(&t.name, "Texture")).collect();
@@ -146,15 +164,15 @@ impl<'a> Writer<'a> {
             object_names,
             images_in_use: scene.images_in_use(),
             model_names: scene.models.iter().map(|m| names.constant("MODEL", stem(&m.file))).collect(),
-            field_names: scene.primitives.iter().map(|o| names.function(&o.name, "Field")).collect(),
-            csg_names: csg::function_names(scene, &mut names),
+            primitive_names: scene.primitives.iter().map(|p| PrimitiveNames::of(p, names)).collect(),
+            reach_names: scene.objects.iter().map(|o| names.function(o.name(scene), "InReach")).collect(),
+            csg_names: csg::function_names(scene, names),
             material_names,
             texture_names,
             used: vec![],
         }
     }
 
-    /// All of the scene's own section but its head. What it uses is known only afterwards.
     fn scene_text(&mut self) -> CodeLines {
         let objects = self.objects();
         let materials = self.materials();
@@ -184,11 +202,12 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// `caption` as a comment: the author's words, but in live mode not the numbers, which may change.
-    fn caption(&self, indent: usize, head: &str, caption: &str) -> String {
+    /// `head` and the author's words on one line: in live mode not the numbers, which may change.
+    fn caption(&self, head: &str, caption: &str) -> String {
         let name_only = caption.split('(').next().unwrap_or(caption);
         let words = if self.mode == Mode::Live { name_only } else { caption };
-        code::comment(indent, &format!("{head}{words}"))
+        let words = if words.is_empty() { String::new() } else { format!(": {words}") };
+        code::one_line(&format!("{head}{words}"))
     }
 
     fn title(&self) -> CodeLines {

@@ -1,14 +1,13 @@
 //! `rayTraceScene`, and its sibling for shadows.
 
 use super::Writer;
-use super::code::{Code, CodeLines};
-use super::primitives::{MAX_PER_FUNCTION, WrittenPrimitive, local};
+use super::code::{self, Code, CodeLines};
+use super::primitives::{MAX_PER_FUNCTION, WrittenPrimitive};
 use crate::ir::{Object, Solid};
 use crate::library::Const;
 
 /// What is written about one object more than once.
 struct WrittenObject {
-    caption: String,
     /// How a ray's nearest crossing with it is called.
     crossing: Code,
     /// What picks its t out of that.
@@ -22,8 +21,6 @@ struct WrittenObject {
 /// One of the two functions that ask all objects about a ray.
 struct Question {
     doc: &'static str,
-    /// Whether the author's words stand before each object.
-    is_captioned: bool,
     /// The head of the function for all objects, and its last statement.
     head: &'static str,
     end: &'static str,
@@ -38,7 +35,6 @@ struct Question {
 
 const CLOSEST: Question = Question {
     doc: "/// The nearest object that `ray` meets.",
-    is_captioned: true,
     head: "fn rayTraceScene(ray: Ray) -> Hit {",
     end: "    return hit;",
     part_head: |i| format!("fn rayTracePart{i}(ray: Ray, before: Hit) -> Hit {{"),
@@ -53,7 +49,6 @@ const CLOSEST: Question = Question {
 
 const BLOCKED: Question = Question {
     doc: "/// Whether anything that casts a shadow lies on `ray`.",
-    is_captioned: false,
     head: "fn sceneBlocks(ray: Ray) -> bool {",
     end: "    return false;",
     part_head: |i| format!("fn partBlocks{i}(ray: Ray) -> bool {{"),
@@ -75,48 +70,61 @@ impl Writer<'_> {
         let scene = self.scene;
         let primitives: Vec<WrittenPrimitive> =
             scene.primitives.iter().map(|primitive| self.primitive(primitive)).collect();
-        let written: Vec<WrittenObject> =
-            scene.objects.iter().map(|object| self.written(object, &primitives)).collect();
+        let written: Vec<WrittenObject> = (0..scene.objects.len()).map(|i| self.written(i)).collect();
         let select = |wanted: fn(&Object) -> bool| {
             let objects = scene.objects.iter().zip(&written);
             objects.filter(|(object, _)| wanted(object)).map(|(_, written)| written).collect::<Vec<_>>()
         };
         let mut lines = asked(&CLOSEST, &select(|object| object.visible));
         lines.extend(asked(&BLOCKED, &select(|object| object.casts_shadow)));
+        lines.extend(self.primitive_functions(&primitives));
         for object in &scene.objects {
             lines.extend(self.csg_functions(&object.solid, &primitives));
         }
-        lines.extend(self.surfaces(&primitives));
+        lines.extend(self.reaches());
+        lines.extend(self.surfaces());
         lines.extend(self.marches(&primitives));
         lines
     }
 
-    fn written(&mut self, object: &Object, primitives: &[WrittenPrimitive]) -> WrittenObject {
-        let (caption, crossing, t, step, ray) = match &object.solid {
-            Solid::Primitive(index) => {
-                let primitive = &self.scene.primitives[*index];
-                let ray = local(primitives[*index].space.as_ref(), "ray");
-                let crossing = self.on_shape(*index, "", ray.clone(), &primitives[*index]);
-                let name = Code::atom(&self.object_names[*index]);
-                let step = Code::call("nearer", [Code::atom("hit"), crossing.clone(), name]);
-                let head = format!("objects[{index}] \"{}\": ", primitive.name);
-                (self.caption(4, &head, &primitive.caption), crossing, "", step, ray)
+    fn written(&self, index: usize) -> WrittenObject {
+        let object = &self.scene.objects[index];
+        let (crossing, t, step) = match &object.solid {
+            Solid::Primitive(primitive) => {
+                let crossing = self.crossing(*primitive, self.local(*primitive, "ray"));
+                let name = Code::atom(&self.object_names[*primitive]);
+                (crossing.clone(), "", Code::call("nearer", [Code::atom("hit"), crossing, name]))
             }
             Solid::Csg(csg) => {
-                let space = object.space.as_ref().filter(|_| object.bounds.is_some());
-                let space = space.map(|rows| self.space(rows));
                 let called = Code::call(&self.csg_names[&csg.name], [Code::atom("ray")]);
-                let step = Code::call("nearerCrossing", [Code::atom("hit"), called.clone()]);
-                let head = format!("\"{}\": ", csg.name);
-                let caption = self.caption(4, &head, &csg.caption);
-                (caption, called, ".t", step, local(space.as_ref(), "ray"))
+                (called.clone(), ".t", Code::call("nearerCrossing", [Code::atom("hit"), called]))
             }
         };
-        let guard = object.bounds.map(|(low, high)| {
-            let corners = [low, high].map(|c| self.numbers.constant(Const::Vec3(c)));
-            Code::call("meetsBounds", [ray].into_iter().chain(corners))
-        });
-        WrittenObject { caption, crossing, t, step, guard }
+        let guard = object.bounds.map(|_| Code::call(&self.reach_names[index], [Code::atom("ray")]));
+        WrittenObject { crossing, t, step, guard }
+    }
+
+    /// The tests of the bounds that the author gave.
+    fn reaches(&mut self) -> CodeLines {
+        let scene = self.scene;
+        let mut lines = CodeLines::default();
+        for (index, object) in scene.objects.iter().enumerate() {
+            let Some((low, high)) = object.bounds else { continue };
+            let ray = match (&object.solid, &object.space) {
+                (Solid::Primitive(primitive), _) => self.local(*primitive, "ray"),
+                (Solid::Csg(_), Some(rows)) => Code::call("rayInto", [self.space(rows), Code::atom("ray")]),
+                (Solid::Csg(_), None) => Code::atom("ray"),
+            };
+            let corners = [low, high].map(|corner| self.numbers.constant(Const::Vec3(corner)));
+            lines.push("");
+            lines.push(code::one_line(&format!(
+                "/// Whether `ray` meets the bounds of \"{}\".",
+                object.name(scene)
+            )));
+            let head = format!("{}(ray: Ray) -> bool", self.reach_names[index]);
+            lines.function(&head, &Code::call("meetsBounds", [ray].into_iter().chain(corners)));
+        }
+        lines
     }
 }
 
@@ -147,9 +155,6 @@ fn asked(question: &Question, objects: &[&WrittenObject]) -> CodeLines {
 
 /// Asks `object`, inside a test of its bounds where the author gave some.
 fn ask(question: &Question, object: &WrittenObject, lines: &mut CodeLines) {
-    if question.is_captioned {
-        lines.push(object.caption.as_str());
-    }
     let Some(guard) = &object.guard else { return (question.ask)(lines, 4, object) };
     lines.statement(4, "if ", guard, " {");
     (question.ask)(lines, 8, object);

@@ -31,13 +31,16 @@ pub const GUARD: &str = "shaders/guard.wgsl";
 
 /// Each file of shaders/ but for the shapes, in the order of a module's sections. Those that are there if
 /// they are called stand before all others.
-const FILES: [(&str, Presence); 45] = [
+const FILES: [(&str, Presence); 51] = [
     ("shaders/bands.wgsl", Presence::IfCalled),
+    ("shaders/bounds.wgsl", Presence::IfCalled),
     ("shaders/bump.wgsl", Presence::IfCalled),
     ("shaders/cells.wgsl", Presence::IfCalled),
     ("shaders/facet.wgsl", Presence::IfCalled),
     ("shaders/footprint.wgsl", Presence::IfCalled),
     ("shaders/image.wgsl", Presence::IfCalled),
+    ("shaders/light_kinds.wgsl", Presence::IfCalled),
+    ("shaders/luminance.wgsl", Presence::IfCalled),
     ("shaders/march.wgsl", Presence::IfCalled),
     ("shaders/model.wgsl", Presence::IfCalled),
     ("shaders/model_surface.wgsl", Presence::IfCalled),
@@ -45,7 +48,10 @@ const FILES: [(&str, Presence); 45] = [
     ("shaders/octaves.wgsl", Presence::IfCalled),
     ("shaders/ramp.wgsl", Presence::IfCalled),
     ("shaders/remainder.wgsl", Presence::IfCalled),
+    ("shaders/sky.wgsl", Presence::IfCalled),
     ("shaders/solid.wgsl", Presence::IfCalled),
+    ("shaders/space.wgsl", Presence::IfCalled),
+    ("shaders/tangents.wgsl", Presence::IfCalled),
     ("shaders/triplanar.wgsl", Presence::IfCalled),
     ("shaders/watertight.wgsl", Presence::IfCalled),
     // Entry points, by those who call them, and what these stand on.
@@ -70,7 +76,7 @@ const FILES: [(&str, Presence); 45] = [
     ("shaders/shading.wgsl", Presence::If(|_| true)),
     ("shaders/light.wgsl", Presence::If(|_| true)),
     ("shaders/material.wgsl", Presence::If(|_| true)),
-    ("shaders/space.wgsl", Presence::If(|_| true)),
+    ("shaders/placed.wgsl", Presence::If(|_| true)),
     ("shaders/hit.wgsl", Presence::If(|_| true)),
     ("shaders/ray.wgsl", Presence::If(|_| true)),
     ("shaders/frame.wgsl", Presence::If(|_| true)),
@@ -101,9 +107,19 @@ pub fn files() -> impl Iterator<Item = &'static str> {
 pub fn needed(own: &Section, used: &[Arc<Function>], target: &Target, is_measured: bool) -> Vec<Section> {
     let mut sections: Vec<Section> =
         used.iter().map(|f| Section { name: f.file.clone(), text: f.text.clone() }).collect();
+    let may_loop_for_ever = sections.iter().any(|section| !section.ships() && has_loop(&section.text));
+    let module = Module { target, is_measured, may_loop_for_ever };
+    let in_any_case = FILES.iter().filter_map(|(name, presence)| match presence {
+        Presence::If(is_in) => is_in(&module).then(|| section(name)),
+        Presence::IfCalled | Presence::Never => None,
+    });
+    let in_any_case: Vec<Section> = in_any_case.collect();
     // Shared files may use each other, so each round may find more.
     loop {
-        let calls = |f: &str| calls(&own.text, f) || sections.iter().any(|s| calls(&s.text, f));
+        let calls = |function: &str| {
+            let mut all = sections.iter().chain(&in_any_case).chain([own]);
+            all.any(|section| calls(&section.text, function))
+        };
         let shared = FILES.iter().filter(|(_, presence)| matches!(presence, Presence::IfCalled));
         let found: Vec<Section> = shared
             .filter(|(name, _)| sections.iter().all(|s| s.name != *name))
@@ -115,12 +131,7 @@ pub fn needed(own: &Section, used: &[Arc<Function>], target: &Target, is_measure
         }
         sections.extend(found);
     }
-    let may_loop_for_ever = sections.iter().any(|section| !section.ships() && has_loop(&section.text));
-    let module = Module { target, is_measured, may_loop_for_ever };
-    sections.extend(FILES.iter().filter_map(|(name, presence)| match presence {
-        Presence::If(is_in) => is_in(&module).then(|| section(name)),
-        Presence::IfCalled | Presence::Never => None,
-    }));
+    sections.extend(in_any_case);
     sections
 }
 
@@ -146,13 +157,25 @@ fn has_loop(text: &str) -> bool {
     words.any(|word| matches!(word, "for" | "loop" | "while"))
 }
 
-fn functions_in(text: &str) -> impl Iterator<Item = &str> {
+/// The functions of a file of raytoy's, whose lines begin with them.
+pub fn functions_in(text: &str) -> impl Iterator<Item = &str> {
     text.lines().filter_map(|line| line.strip_prefix("fn ")?.split('(').next())
 }
 
 fn calls(text: &str, function: &str) -> bool {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     text.match_indices(function).any(|(at, _)| {
-        text[at + function.len()..].trim_start().starts_with('(') && !text[..at].ends_with(is_name)
+        without_blanks(&text[at + function.len()..]).starts_with('(') && !text[..at].ends_with(is_name)
     })
+}
+
+/// `text` from its first word or sign on.
+fn without_blanks(text: &str) -> &str {
+    let rest = text.trim_start();
+    let end = match rest.get(..2) {
+        Some("/*") => rest.find("*/").map(|at| at + 2),
+        Some("//") => rest.find('\n'),
+        _ => return rest,
+    };
+    end.map_or("", |end| without_blanks(&rest[end..]))
 }

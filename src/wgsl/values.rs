@@ -211,7 +211,7 @@ impl Writer<'_> {
             let value = self.value(&texture.value, "at", &mut block, 4);
             let ty = if texture.ty == Type::F32 { "f32" } else { "vec3f" };
             lines.push("");
-            lines.push(code::one_line(&format!("/// textures: \"{}\"", texture.name)));
+            lines.push(self.caption(&format!("/// texture \"{}\"", texture.name), &texture.caption));
             lines.push(format!("fn {}(at: Surface) -> {ty} {{", self.texture_names[index]));
             lines.extend(block.lines);
             lines.statement(4, "return ", &value, ";");

@@ -294,7 +294,7 @@ fn the_head_tells_what_to_bind_in_each_language() {
 // and each level its rows, from the top, without gaps.
 //
 //   bound to                type             name          what goes there
-//   {sampler:22}  sampler          imageSampler  linear in a level and between levels; repeats to all sides
+//   {sampler:22}  sampler          image_sampler  linear in a level and between levels; repeats to all sides
 //   {image:22}  texture_2d<f32>  image0        rgba16float, 64x48, 7 levels from byte 0: tests/cases/patterns/photo.jpg
 //   {models:22}  texture_2d<u32>  models        rgba32uint, 2048x1, 1 level from byte 32768: scenes/models/gem.glb
 //

@@ -68,11 +68,11 @@ fn a_changed_scene_is_told_by_object_and_by_sight() {
     let told = said(&project.test(&["--filter", "ball"]));
     for line in [
         "FAILED   scenes/ball.ron",
-        "    scenes/ball.wgsl differs: 4 lines removed, 4 added",
+        "    scenes/ball.wgsl differs: 3 lines removed, 3 added",
         "      the object \"ball\" moved or changed",
-        "@@ -17,6 +17,6 @@ `rayTraceScene`, object \"ball\"",
-        "-    // objects[1] \"ball\": Sphere(center: (0, 1, 0))",
-        "+    // objects[1] \"ball\": Sphere(center: (0.3, 1, 0))",
+        "@@ -36,11 +36,11 @@ `ballCrossing`, object \"ball\"",
+        "-/// objects[1] \"ball\": Sphere(center: (0, 1, 0))",
+        "+/// objects[1] \"ball\": Sphere(center: (0.3, 1, 0))",
         "    scenes/ball.png looks different",
         " pixels (",
         "FLIP is ",

@@ -53,8 +53,8 @@ fn numbers_alone_need_no_other_pipeline() {
         told.lines().filter(|line| !line.starts_with(' ')).collect::<Vec<_>>().join("\n")
     };
     let number = first_lines("(objects: [Sphere(name: \"ball\", radius: 3)])");
-    let kept = "lines removed, 4 added; only numbers and comments differ, so the window keeps its pipeline";
-    assert_eq!(number, format!("values   1 value differs\nshader   4 {kept}"));
+    let kept = "lines removed, 3 added; only numbers and comments differ, so the window keeps its pipeline";
+    assert_eq!(number, format!("values   1 value differs\nshader   3 {kept}"));
     let camera = first_lines("(camera: (fov_deg: 30), objects: [Sphere(name: \"ball\", radius: 2)])");
     assert_eq!(camera, "values   1 value differs\nshader   equal");
     let structure = first_lines("(objects: [Sphere(name: \"ball\", radius: 2, rotate_deg: (0, 10, 0))])");

@@ -22,6 +22,7 @@ mod images_in_use;
 mod integers;
 mod judge;
 mod models;
+mod naming;
 mod outline;
 mod pace;
 mod parts;

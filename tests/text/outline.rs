@@ -44,7 +44,9 @@ fn resolved(text: &str) -> Result<Scene, Vec<Diagnostic>> {
     let (mut scene, _) = resolve("scene.ron", text, &value, &library)?;
     // The author's words are not what they mean.
     scene.lights.iter_mut().for_each(|light| light.caption.clear());
-    scene.primitives.iter_mut().for_each(|object| object.caption.clear());
+    scene.primitives.iter_mut().for_each(|primitive| primitive.caption.clear());
+    scene.materials.iter_mut().for_each(|material| material.caption.clear());
+    scene.textures.iter_mut().for_each(|texture| texture.caption.clear());
     scene.objects.iter_mut().for_each(|object| {
         if let raytoy::ir::Solid::Csg(csg) = &mut object.solid {
             csg.caption.clear();

@@ -21,10 +21,10 @@ fn a_target_decides_on_entry_points() {
     let probe = Target { probe: true, ..Target::raytoy(Mode::Baked) };
     let shadertoy = Target::without_raytoy(Host::Shadertoy { settings: vec![] });
     let cases = [
-        (&scene, Target::raytoy(Mode::Live), "main cover view number_color unmeasured"),
-        (&measured, Target::raytoy(Mode::Live), "main cover view number_color"),
+        (&scene, Target::raytoy(Mode::Live), "luminance main cover view number_color unmeasured"),
+        (&measured, Target::raytoy(Mode::Live), "luminance main cover view number_color"),
         (&measured, Target::plain(), "main cover plain unviewed"),
-        (&scene, probe, "main cover view number_color unmeasured probe"),
+        (&scene, probe, "luminance main cover view number_color unmeasured probe"),
         (&measured, Target::without_raytoy(Host::Any), "standalone cover unviewed tone"),
         (&scene, shadertoy, "shadertoy unviewed tone integers integer_vectors"),
     ];

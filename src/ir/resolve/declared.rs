@@ -98,7 +98,8 @@ impl<'a> Resolver<'a> {
             self.broken.insert(name.to_owned());
             return None;
         };
-        self.textures.push(Texture { name: name.to_owned(), ty: self.type_of(&value), value });
+        let (ty, caption) = (self.type_of(&value), self.words(written, &[]));
+        self.textures.push(Texture { name: name.to_owned(), caption, ty, value });
         let index = self.textures.len() - 1;
         if depends {
             self.usage_dependent.insert(index);

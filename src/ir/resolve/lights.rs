@@ -59,7 +59,12 @@ impl Resolver<'_> {
         let inverse_square = is_near && fields.get("falloff").is_some_and(|falloff| self.falloff(falloff));
         fields.finish(self);
         let caption = self.words(written, &[]);
-        Some(Light { caption, kind, emitted: color * intensity, inverse_square })
+        Some(Light {
+            caption,
+            kind,
+            emitted: color.to_array().map(|part| exact(part) * exact(intensity)).map(|x| x as f32).into(),
+            inverse_square,
+        })
     }
 
     fn spot(&mut self, fields: &mut Fields<'_>, written: &scene::Value) -> LightKind {
@@ -85,4 +90,9 @@ impl Resolver<'_> {
             }
         }
     }
+}
+
+/// The number that an author writes for `x`: 0.9 where the nearest of 32 bits is 0.899999976.
+fn exact(x: f32) -> f64 {
+    x.to_string().parse().expect("a number prints as one")
 }

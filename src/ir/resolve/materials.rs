@@ -31,7 +31,12 @@ impl<'a> Resolver<'a> {
     /// The index of the material of an object called `object`.
     pub fn material(&mut self, written: Option<&scene::Value>, object: &str) -> usize {
         let Some(written) = written else {
-            self.materials.push(Material { name: object.to_owned(), properties: vec![], bump: None });
+            self.materials.push(Material {
+                name: object.to_owned(),
+                caption: String::new(),
+                properties: vec![],
+                bump: None,
+            });
             return self.materials.len() - 1;
         };
         let Kind::Text(name) = &written.kind else {
@@ -81,7 +86,8 @@ impl<'a> Resolver<'a> {
         self.check_evaluations(&properties.iter().map(|(_, value)| value).collect::<Vec<_>>(), &written.span);
         bump.iter().for_each(|bump| self.check_evaluations(&[&bump.height], &written.span));
         properties.sort_by_key(|(property, _)| *property);
-        self.materials.push(Material { name: name.to_owned(), properties, bump });
+        let caption = self.words(written, &[]);
+        self.materials.push(Material { name: name.to_owned(), caption, properties, bump });
         self.materials.len() - 1
     }
 

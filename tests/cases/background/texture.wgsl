@@ -13,26 +13,30 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Sphere 0": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_SPHERE_0);
+    hit = nearer(hit, sphere0Crossing(ray), OBJECT_SPHERE_0);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
+    if sphere0Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Sphere 0": Sphere()
+fn sphere0Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn sphere0SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_SPHERE_0: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_SPHERE_0: { return placed(sphere0SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -44,6 +48,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Sphere 0"
 fn sphere0Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }

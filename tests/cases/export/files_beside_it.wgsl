@@ -15,63 +15,52 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Plane 0": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
-    // objects[1] "Mesh 1": Mesh(file: "../../../scenes/models/gem.glb", smooth: false, scale: 0.9,…
-    hit = nearer(
-        hit,
-        mesh(
-            rayInto(
-                Space(
-                    vec4f(1.1111112, 0.0, 0.0, 0.0),
-                    vec4f(0.0, 1.1111112, 0.0, -0.8888889),
-                    vec4f(0.0, 0.0, 1.1111112, 0.0),
-                ),
-                ray,
-            ),
-            MODEL_GEM,
-            false,
-        ),
-        OBJECT_MESH_1,
-    );
+    hit = nearer(hit, plane0Crossing(ray), OBJECT_PLANE_0);
+    hit = nearer(hit, mesh1Crossing(rayInto(mesh1Space(), ray)), OBJECT_MESH_1);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
-    if mesh(
-        rayInto(
-            Space(
-                vec4f(1.1111112, 0.0, 0.0, 0.0),
-                vec4f(0.0, 1.1111112, 0.0, -0.8888889),
-                vec4f(0.0, 0.0, 1.1111112, 0.0),
-            ),
-            ray,
-        ),
-        MODEL_GEM,
-        false,
-    ) < NO_HIT { return true; }
+    if plane0Crossing(ray) < NO_HIT { return true; }
+    if mesh1Crossing(rayInto(mesh1Space(), ray)) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Plane 0": Plane()
+fn plane0Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn plane0SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// objects[1] "Mesh 1": Mesh(file: "../../../scenes/models/gem.glb", smooth: false, scale: 0.9, tr…
+fn mesh1Crossing(ray: Ray) -> f32 {
+    return mesh(ray, MODEL_GEM, false);
+}
+
+fn mesh1SurfaceAt(p: vec3f) -> Surface {
+    return meshSurface(p, MODEL_GEM, false);
+}
+
+fn mesh1Space() -> Space {
+    return Space(
+        vec4f(1.1111112, 0.0, 0.0, 0.0),
+        vec4f(0.0, 1.1111112, 0.0, -0.8888889),
+        vec4f(0.0, 0.0, 1.1111112, 0.0),
+    );
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
+        case OBJECT_PLANE_0: { return placed(plane0SurfaceAt(p), p); }
         case OBJECT_MESH_1: {
-            let space = Space(
-                vec4f(1.1111112, 0.0, 0.0, 0.0),
-                vec4f(0.0, 1.1111112, 0.0, -0.8888889),
-                vec4f(0.0, 0.0, 1.1111112, 0.0),
-            );
-            return placedFrom(space, meshSurface(pointInto(space, p), MODEL_GEM, false), p);
+            return placedFrom(mesh1Space(), mesh1SurfaceAt(pointInto(mesh1Space(), p)), p);
         }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -87,10 +76,12 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Plane 0": (color: Image(file: "../patterns/photo.jpg", width: 0.8))
 fn plane0Material(at: Surface) -> Material {
     return matte(imageColor(image0, at, 0.8, true));
 }
 
+/// material "Mesh 1"
 fn mesh1Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }

@@ -14,32 +14,42 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "floor": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_FLOOR);
-    // objects[1] "ball": Sphere(center: (0, 1, 0))
-    hit = nearer(hit, sphere(ray, vec3f(0.0, 1.0, 0.0), 1.0), OBJECT_BALL);
+    hit = nearer(hit, floorCrossing(ray), OBJECT_FLOOR);
+    hit = nearer(hit, ballCrossing(ray), OBJECT_BALL);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0, 1.0, 0.0), 1.0) < NO_HIT { return true; }
+    if floorCrossing(ray) < NO_HIT { return true; }
+    if ballCrossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "floor": Plane()
+fn floorCrossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn floorSurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// objects[1] "ball": Sphere(center: (0, 1, 0))
+fn ballCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0, 1.0, 0.0), 1.0);
+}
+
+fn ballSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0, 1.0, 0.0), 1.0);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_FLOOR: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
-        case OBJECT_BALL: {
-            return placed(sphereSurface(p, vec3f(0.0, 1.0, 0.0), 1.0), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_FLOOR: { return placed(floorSurfaceAt(p), p); }
+        case OBJECT_BALL: { return placed(ballSurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -52,10 +62,12 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "floor": (color: Checker(even: 0.2, odd: 0.6))
 fn floorMaterial(at: Surface) -> Material {
     return matte(checker(at, 1.0, vec3f(0.2), vec3f(0.6)));
 }
 
+/// material "ball": (color: "tomato", reflectivity: 0.2)
 fn ballMaterial(at: Surface) -> Material {
     var material = matte(vec3f(1.0, 0.12477182, 0.06301002));
     material.reflectivity = 0.2;

@@ -15,62 +15,66 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Box 0": Box(min: (-3.2, -0.6, -0.8), max: (-1.8, 0.8, 0.8))
-    hit = nearer(hit, box(ray, vec3f(-3.2, -0.6, -0.8), vec3f(-1.8, 0.8, 0.8)), OBJECT_BOX_0);
-    // objects[1] "RoundedBox 1": RoundedBox(min: (-1.3, -0.6, -0.8), max: (0.1, 0.8, 0.8), radius:…
-    hit = nearer(
-        hit,
-        roundedBox(ray, vec3f(-1.3, -0.6, -0.8), vec3f(0.1, 0.8, 0.8), 0.3),
-        OBJECT_ROUNDEDBOX_1,
-    );
-    // objects[2] "Cylinder 2": Cylinder(base: (1.2, -0.6, 0), top: (1.2, 1, 0.3), radius: 0.6)
-    hit = nearer(
-        hit,
-        cylinder(ray, vec3f(1.2, -0.6, 0.0), vec3f(1.2, 1.0, 0.3), 0.6),
-        OBJECT_CYLINDER_2,
-    );
-    // objects[3] "Cone 3": Cone(base: (2.9, -0.6, 0), top: (2.9, 1.4, 0), base_radius: 0.8, top_ra…
-    hit = nearer(
-        hit,
-        cone(ray, vec3f(2.9, -0.6, 0.0), vec3f(2.9, 1.4, 0.0), 0.8, 0.25),
-        OBJECT_CONE_3,
-    );
+    hit = nearer(hit, box0Crossing(ray), OBJECT_BOX_0);
+    hit = nearer(hit, roundedBox1Crossing(ray), OBJECT_ROUNDEDBOX_1);
+    hit = nearer(hit, cylinder2Crossing(ray), OBJECT_CYLINDER_2);
+    hit = nearer(hit, cone3Crossing(ray), OBJECT_CONE_3);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if box(ray, vec3f(-3.2, -0.6, -0.8), vec3f(-1.8, 0.8, 0.8)) < NO_HIT { return true; }
-    if roundedBox(ray, vec3f(-1.3, -0.6, -0.8), vec3f(0.1, 0.8, 0.8), 0.3) < NO_HIT { return true; }
-    if cylinder(ray, vec3f(1.2, -0.6, 0.0), vec3f(1.2, 1.0, 0.3), 0.6) < NO_HIT { return true; }
-    if cone(ray, vec3f(2.9, -0.6, 0.0), vec3f(2.9, 1.4, 0.0), 0.8, 0.25) < NO_HIT { return true; }
+    if box0Crossing(ray) < NO_HIT { return true; }
+    if roundedBox1Crossing(ray) < NO_HIT { return true; }
+    if cylinder2Crossing(ray) < NO_HIT { return true; }
+    if cone3Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Box 0": Box(min: (-3.2, -0.6, -0.8), max: (-1.8, 0.8, 0.8))
+fn box0Crossing(ray: Ray) -> f32 {
+    return box(ray, vec3f(-3.2, -0.6, -0.8), vec3f(-1.8, 0.8, 0.8));
+}
+
+fn box0SurfaceAt(p: vec3f) -> Surface {
+    return boxSurface(p, vec3f(-3.2, -0.6, -0.8), vec3f(-1.8, 0.8, 0.8));
+}
+
+/// objects[1] "RoundedBox 1": RoundedBox(min: (-1.3, -0.6, -0.8), max: (0.1, 0.8, 0.8), radius: 0.…
+fn roundedBox1Crossing(ray: Ray) -> f32 {
+    return roundedBox(ray, vec3f(-1.3, -0.6, -0.8), vec3f(0.1, 0.8, 0.8), 0.3);
+}
+
+fn roundedBox1SurfaceAt(p: vec3f) -> Surface {
+    return roundedBoxSurface(p, vec3f(-1.3, -0.6, -0.8), vec3f(0.1, 0.8, 0.8), 0.3);
+}
+
+/// objects[2] "Cylinder 2": Cylinder(base: (1.2, -0.6, 0), top: (1.2, 1, 0.3), radius: 0.6)
+fn cylinder2Crossing(ray: Ray) -> f32 {
+    return cylinder(ray, vec3f(1.2, -0.6, 0.0), vec3f(1.2, 1.0, 0.3), 0.6);
+}
+
+fn cylinder2SurfaceAt(p: vec3f) -> Surface {
+    return cylinderSurface(p, vec3f(1.2, -0.6, 0.0), vec3f(1.2, 1.0, 0.3), 0.6);
+}
+
+/// objects[3] "Cone 3": Cone(base: (2.9, -0.6, 0), top: (2.9, 1.4, 0), base_radius: 0.8, top_radiu…
+fn cone3Crossing(ray: Ray) -> f32 {
+    return cone(ray, vec3f(2.9, -0.6, 0.0), vec3f(2.9, 1.4, 0.0), 0.8, 0.25);
+}
+
+fn cone3SurfaceAt(p: vec3f) -> Surface {
+    return coneSurface(p, vec3f(2.9, -0.6, 0.0), vec3f(2.9, 1.4, 0.0), 0.8, 0.25);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_BOX_0: {
-            return placed(boxSurface(p, vec3f(-3.2, -0.6, -0.8), vec3f(-1.8, 0.8, 0.8)), p);
-        }
-        case OBJECT_ROUNDEDBOX_1: {
-            return placed(
-                roundedBoxSurface(p, vec3f(-1.3, -0.6, -0.8), vec3f(0.1, 0.8, 0.8), 0.3),
-                p,
-            );
-        }
-        case OBJECT_CYLINDER_2: {
-            return placed(cylinderSurface(p, vec3f(1.2, -0.6, 0.0), vec3f(1.2, 1.0, 0.3), 0.6), p);
-        }
-        case OBJECT_CONE_3: {
-            return placed(
-                coneSurface(p, vec3f(2.9, -0.6, 0.0), vec3f(2.9, 1.4, 0.0), 0.8, 0.25),
-                p,
-            );
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_BOX_0: { return placed(box0SurfaceAt(p), p); }
+        case OBJECT_ROUNDEDBOX_1: { return placed(roundedBox1SurfaceAt(p), p); }
+        case OBJECT_CYLINDER_2: { return placed(cylinder2SurfaceAt(p), p); }
+        case OBJECT_CONE_3: { return placed(cone3SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -85,18 +89,22 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Box 0": (color: "tomato")
 fn box0Material(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.12477182, 0.06301002));
 }
 
+/// material "RoundedBox 1": (color: "gold")
 fn roundedBox1Material(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.6795425, 0.0));
 }
 
+/// material "Cylinder 2": (color: "skyblue")
 fn cylinder2Material(at: Surface) -> Material {
     return matte(vec3f(0.24228115, 0.6172066, 0.8307699));
 }
 
+/// material "Cone 3": (color: "plum")
 fn cone3Material(at: Surface) -> Material {
     return matte(vec3f(0.7230551, 0.35153264, 0.7230551));
 }

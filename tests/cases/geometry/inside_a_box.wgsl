@@ -14,44 +14,42 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Box 0": Box(min: (-3, -2, -3), max: (3, 2, 3))
-    hit = nearer(hit, box(ray, vec3f(-3.0, -2.0, -3.0), vec3f(3.0, 2.0, 3.0)), OBJECT_BOX_0);
-    // objects[1] "Cylinder 1": Cylinder(base: (-0.5, -2, -1), top: (-0.5, -0.6, -1), radius: 0.5)
-    hit = nearer(
-        hit,
-        cylinder(ray, vec3f(-0.5, -2.0, -1.0), vec3f(-0.5, -0.6, -1.0), 0.5),
-        OBJECT_CYLINDER_1,
-    );
+    hit = nearer(hit, box0Crossing(ray), OBJECT_BOX_0);
+    hit = nearer(hit, cylinder1Crossing(ray), OBJECT_CYLINDER_1);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if box(ray, vec3f(-3.0, -2.0, -3.0), vec3f(3.0, 2.0, 3.0)) < NO_HIT { return true; }
-    if cylinder(
-        ray,
-        vec3f(-0.5, -2.0, -1.0),
-        vec3f(-0.5, -0.6, -1.0),
-        0.5,
-    ) < NO_HIT { return true; }
+    if box0Crossing(ray) < NO_HIT { return true; }
+    if cylinder1Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Box 0": Box(min: (-3, -2, -3), max: (3, 2, 3))
+fn box0Crossing(ray: Ray) -> f32 {
+    return box(ray, vec3f(-3.0, -2.0, -3.0), vec3f(3.0, 2.0, 3.0));
+}
+
+fn box0SurfaceAt(p: vec3f) -> Surface {
+    return boxSurface(p, vec3f(-3.0, -2.0, -3.0), vec3f(3.0, 2.0, 3.0));
+}
+
+/// objects[1] "Cylinder 1": Cylinder(base: (-0.5, -2, -1), top: (-0.5, -0.6, -1), radius: 0.5)
+fn cylinder1Crossing(ray: Ray) -> f32 {
+    return cylinder(ray, vec3f(-0.5, -2.0, -1.0), vec3f(-0.5, -0.6, -1.0), 0.5);
+}
+
+fn cylinder1SurfaceAt(p: vec3f) -> Surface {
+    return cylinderSurface(p, vec3f(-0.5, -2.0, -1.0), vec3f(-0.5, -0.6, -1.0), 0.5);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_BOX_0: {
-            return placed(boxSurface(p, vec3f(-3.0, -2.0, -3.0), vec3f(3.0, 2.0, 3.0)), p);
-        }
-        case OBJECT_CYLINDER_1: {
-            return placed(
-                cylinderSurface(p, vec3f(-0.5, -2.0, -1.0), vec3f(-0.5, -0.6, -1.0), 0.5),
-                p,
-            );
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_BOX_0: { return placed(box0SurfaceAt(p), p); }
+        case OBJECT_CYLINDER_1: { return placed(cylinder1SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -64,6 +62,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Box 0": (color: Stripes(scale: 2, even: "#e8d5b0", odd: "#8c6a5a"))
 fn box0Material(at: Surface) -> Material {
     return matte(
         stripes(
@@ -75,6 +74,7 @@ fn box0Material(at: Surface) -> Material {
     );
 }
 
+/// material "Cylinder 1": (color: "skyblue")
 fn cylinder1Material(at: Surface) -> Material {
     return matte(vec3f(0.24228115, 0.6172066, 0.8307699));
 }

@@ -14,32 +14,42 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Sphere 0": Sphere(radius: 4)
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 4.0), OBJECT_SPHERE_0);
-    // objects[1] "Sphere 1": Sphere(center: (0, -1, -1), radius: 0.7)
-    hit = nearer(hit, sphere(ray, vec3f(0.0, -1.0, -1.0), 0.7), OBJECT_SPHERE_1);
+    hit = nearer(hit, sphere0Crossing(ray), OBJECT_SPHERE_0);
+    hit = nearer(hit, sphere1Crossing(ray), OBJECT_SPHERE_1);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if sphere(ray, vec3f(0.0), 4.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0, -1.0, -1.0), 0.7) < NO_HIT { return true; }
+    if sphere0Crossing(ray) < NO_HIT { return true; }
+    if sphere1Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Sphere 0": Sphere(radius: 4)
+fn sphere0Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 4.0);
+}
+
+fn sphere0SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 4.0);
+}
+
+/// objects[1] "Sphere 1": Sphere(center: (0, -1, -1), radius: 0.7)
+fn sphere1Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0, -1.0, -1.0), 0.7);
+}
+
+fn sphere1SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0, -1.0, -1.0), 0.7);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_SPHERE_0: {
-            return placed(sphereSurface(p, vec3f(0.0), 4.0), p);
-        }
-        case OBJECT_SPHERE_1: {
-            return placed(sphereSurface(p, vec3f(0.0, -1.0, -1.0), 0.7), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_SPHERE_0: { return placed(sphere0SurfaceAt(p), p); }
+        case OBJECT_SPHERE_1: { return placed(sphere1SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -52,6 +62,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Sphere 0": (color: Checker(scale: 1, even: "#e8d5b0", odd: "#5a7d8c"))
 fn sphere0Material(at: Surface) -> Material {
     return matte(
         checker(
@@ -63,6 +74,7 @@ fn sphere0Material(at: Surface) -> Material {
     );
 }
 
+/// material "Sphere 1": (color: "tomato")
 fn sphere1Material(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.12477182, 0.06301002));
 }

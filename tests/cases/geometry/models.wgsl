@@ -20,121 +20,128 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Plane 0": Plane(offset: -1)
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), -1.0), OBJECT_PLANE_0);
-    // objects[1] "mirrored": Mesh(file: "../../../scenes/models/knot.obj", scale: (0.9, -0.9, 0.9)…
-    hit = nearer(
-        hit,
-        mesh(
-            rayInto(
-                Space(
-                    vec4f(1.1111112, 0.0, 0.0, 2.5555556),
-                    vec4f(0.0, -0.5555556, -0.9622505, 0.11111111),
-                    vec4f(0.0, -0.9622505, 0.5555556, 0.19245009),
-                ),
-                ray,
-            ),
-            MODEL_KNOT,
-            true,
-        ),
-        OBJECT_MIRRORED,
-    );
-    // objects[2] "stretched": Mesh(file: "../../../scenes/models/gem.glb", smooth: false, scale: (…
-    hit = nearer(
-        hit,
-        mesh(
-            rayInto(
-                Space(
-                    vec4f(1.6666666, 0.0, 0.0, 0.0),
-                    vec4f(0.0, 0.625, 0.0, -0.25),
-                    vec4f(0.0, 0.0, 1.0, 0.0),
-                ),
-                ray,
-            ),
-            MODEL_GEM,
-            false,
-        ),
-        OBJECT_STRETCHED,
-    );
-    // "cut": Difference(rotate_deg: (20, 30, 0), translate: (2.3, 0, 0))
+    hit = nearer(hit, plane0Crossing(ray), OBJECT_PLANE_0);
+    hit = nearer(hit, mirroredCrossing(rayInto(mirroredSpace(), ray)), OBJECT_MIRRORED);
+    hit = nearer(hit, stretchedCrossing(rayInto(stretchedSpace(), ray)), OBJECT_STRETCHED);
     hit = nearerCrossing(hit, cutSolid(ray));
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), -1.0) < NO_HIT { return true; }
-    if mesh(
-        rayInto(
-            Space(
-                vec4f(1.1111112, 0.0, 0.0, 2.5555556),
-                vec4f(0.0, -0.5555556, -0.9622505, 0.11111111),
-                vec4f(0.0, -0.9622505, 0.5555556, 0.19245009),
-            ),
-            ray,
-        ),
-        MODEL_KNOT,
-        true,
-    ) < NO_HIT { return true; }
-    if mesh(
-        rayInto(
-            Space(
-                vec4f(1.6666666, 0.0, 0.0, 0.0),
-                vec4f(0.0, 0.625, 0.0, -0.25),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            ),
-            ray,
-        ),
-        MODEL_GEM,
-        false,
-    ) < NO_HIT { return true; }
+    if plane0Crossing(ray) < NO_HIT { return true; }
+    if mirroredCrossing(rayInto(mirroredSpace(), ray)) < NO_HIT { return true; }
+    if stretchedCrossing(rayInto(stretchedSpace(), ray)) < NO_HIT { return true; }
     if cutSolid(ray).t < NO_HIT { return true; }
     return false;
 }
 
-/// "cut": Difference(rotate_deg: (20, 30, 0), translate: (2.3, 0, 0))
+/// objects[0] "Plane 0": Plane(offset: -1)
+fn plane0Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), -1.0);
+}
+
+fn plane0SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), -1.0);
+}
+
+/// objects[1] "mirrored": Mesh(file: "../../../scenes/models/knot.obj", scale: (0.9, -0.9, 0.9), r…
+fn mirroredCrossing(ray: Ray) -> f32 {
+    return mesh(ray, MODEL_KNOT, true);
+}
+
+fn mirroredSurfaceAt(p: vec3f) -> Surface {
+    return meshSurface(p, MODEL_KNOT, true);
+}
+
+fn mirroredSpace() -> Space {
+    return Space(
+        vec4f(1.1111112, 0.0, 0.0, 2.5555556),
+        vec4f(0.0, -0.5555556, -0.9622505, 0.11111111),
+        vec4f(0.0, -0.9622505, 0.5555556, 0.19245009),
+    );
+}
+
+/// objects[2] "stretched": Mesh(file: "../../../scenes/models/gem.glb", smooth: false, scale: (0.6…
+fn stretchedCrossing(ray: Ray) -> f32 {
+    return mesh(ray, MODEL_GEM, false);
+}
+
+fn stretchedSurfaceAt(p: vec3f) -> Surface {
+    return meshSurface(p, MODEL_GEM, false);
+}
+
+fn stretchedSpace() -> Space {
+    return Space(
+        vec4f(1.6666666, 0.0, 0.0, 0.0),
+        vec4f(0.0, 0.625, 0.0, -0.25),
+        vec4f(0.0, 0.0, 1.0, 0.0),
+    );
+}
+
+/// "block": Box(min: (-0.9, -0.9, -0.9), max: (0.9, 0.9, 0.9))
+fn blockCrossing(ray: Ray) -> f32 {
+    return box(ray, vec3f(-0.9), vec3f(0.9));
+}
+
+fn blockSurfaceAt(p: vec3f) -> Surface {
+    return boxSurface(p, vec3f(-0.9), vec3f(0.9));
+}
+
+fn blockSpace() -> Space {
+    return Space(
+        vec4f(0.8660254, 0.0, -0.5, -1.9918585),
+        vec4f(0.17101008, 0.9396926, 0.29619813, -0.39332315),
+        vec4f(0.4698463, -0.34202015, 0.81379765, -1.0806465),
+    );
+}
+
+/// "hollow": Mesh(file: "../../../scenes/models/knot.obj", scale: (1, -1, 0.8))
+fn hollowCrossing(ray: Ray) -> f32 {
+    return mesh(ray, MODEL_KNOT, true);
+}
+
+fn hollowSurfaceAt(p: vec3f) -> Surface {
+    return meshSurface(p, MODEL_KNOT, true);
+}
+
+fn hollowSpace() -> Space {
+    return Space(
+        vec4f(0.8660254, 0.0, -0.5, -1.9918585),
+        vec4f(-0.17101008, -0.9396926, -0.29619813, 0.39332315),
+        vec4f(0.5873079, -0.42752516, 1.0172471, -1.3508081),
+    );
+}
+
+/// objects[3] "cut": Difference(rotate_deg: (20, 30, 0), translate: (2.3, 0, 0))
 fn cutSolid(ray: Ray) -> Crossing {
     var rest = ray;
-    var moved0 = rayInto(
-        Space(
-            vec4f(0.8660254, 0.0, -0.5, -1.9918585),
-            vec4f(0.17101008, 0.9396926, 0.29619813, -0.39332315),
-            vec4f(0.4698463, -0.34202015, 0.81379765, -1.0806465),
-        ),
-        ray,
-    );
-    var moved1 = rayInto(
-        Space(
-            vec4f(0.8660254, 0.0, -0.5, -1.9918585),
-            vec4f(-0.17101008, -0.9396926, -0.29619813, 0.39332315),
-            vec4f(0.5873079, -0.42752516, 1.0172471, -1.3508081),
-        ),
-        ray,
-    );
-    var blockPart = notAsked();
-    var hollowPart = notAsked();
+    var moved0 = rayInto(blockSpace(), ray);
+    var moved1 = rayInto(hollowSpace(), ray);
+    var block_part = notAsked();
+    var hollow_part = notAsked();
     for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if blockPart.t <= rest.t_min {
-            let t = box(moved0, vec3f(-0.9), vec3f(0.9));
-            let on = boxSurface(pointAt(moved0, t), vec3f(-0.9), vec3f(0.9));
-            blockPart = crossing(moved0, t, OBJECT_BLOCK, on.geometric_normal);
+        if block_part.t <= rest.t_min {
+            let t = blockCrossing(moved0);
+            let on = blockSurfaceAt(pointAt(moved0, t));
+            block_part = crossing(moved0, t, OBJECT_BLOCK, on.geometric_normal);
         }
-        if hollowPart.t <= rest.t_min {
-            let t = mesh(moved1, MODEL_KNOT, true);
-            let on = meshSurface(pointAt(moved1, t), MODEL_KNOT, true);
-            hollowPart = crossing(moved1, t, OBJECT_HOLLOW, on.geometric_normal);
+        if hollow_part.t <= rest.t_min {
+            let t = hollowCrossing(moved1);
+            let on = hollowSurfaceAt(pointAt(moved1, t));
+            hollow_part = crossing(moved1, t, OBJECT_HOLLOW, on.geometric_normal);
         }
-        let t = min(blockPart.t, hollowPart.t);
+        let t = min(block_part.t, hollow_part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         moved1.t_min = rest.t_min;
-        let blockTurns = blockPart.t <= rest.t_min;
-        let hollowTurns = hollowPart.t <= rest.t_min;
-        let before = blockPart.leaves && !hollowPart.leaves;
-        let behind = blockPart.leaves != blockTurns && hollowPart.leaves == hollowTurns;
+        let block_turns = block_part.t <= rest.t_min;
+        let hollow_turns = hollow_part.t <= rest.t_min;
+        let before = block_part.leaves && !hollow_part.leaves;
+        let behind = block_part.leaves != block_turns && hollow_part.leaves == hollow_turns;
         if before != behind {
-            return Crossing(t, select(hollowPart.object, blockPart.object, blockTurns), before);
+            return Crossing(t, select(hollow_part.object, block_part.object, block_turns), before);
         }
     }
     return Crossing(NO_HIT, NO_OBJECT, false);
@@ -143,48 +150,28 @@ fn cutSolid(ray: Ray) -> Crossing {
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), -1.0), p);
-        }
+        case OBJECT_PLANE_0: { return placed(plane0SurfaceAt(p), p); }
         case OBJECT_MIRRORED: {
-            let space = Space(
-                vec4f(1.1111112, 0.0, 0.0, 2.5555556),
-                vec4f(0.0, -0.5555556, -0.9622505, 0.11111111),
-                vec4f(0.0, -0.9622505, 0.5555556, 0.19245009),
-            );
-            return placedFrom(space, meshSurface(pointInto(space, p), MODEL_KNOT, true), p);
+            return placedFrom(mirroredSpace(), mirroredSurfaceAt(pointInto(mirroredSpace(), p)), p);
         }
         case OBJECT_STRETCHED: {
-            let space = Space(
-                vec4f(1.6666666, 0.0, 0.0, 0.0),
-                vec4f(0.0, 0.625, 0.0, -0.25),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            );
-            return placedFrom(space, meshSurface(pointInto(space, p), MODEL_GEM, false), p);
-        }
-        case OBJECT_BLOCK: {
-            let space = Space(
-                vec4f(0.8660254, 0.0, -0.5, -1.9918585),
-                vec4f(0.17101008, 0.9396926, 0.29619813, -0.39332315),
-                vec4f(0.4698463, -0.34202015, 0.81379765, -1.0806465),
-            );
-            return placedFrom(space, boxSurface(pointInto(space, p), vec3f(-0.9), vec3f(0.9)), p);
-        }
-        case OBJECT_HOLLOW: {
-            let space = Space(
-                vec4f(0.8660254, 0.0, -0.5, -1.9918585),
-                vec4f(-0.17101008, -0.9396926, -0.29619813, 0.39332315),
-                vec4f(0.5873079, -0.42752516, 1.0172471, -1.3508081),
-            );
             return placedFrom(
-                space,
-                inverted(meshSurface(pointInto(space, p), MODEL_KNOT, true)),
+                stretchedSpace(),
+                stretchedSurfaceAt(pointInto(stretchedSpace(), p)),
                 p,
             );
         }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
+        case OBJECT_BLOCK: {
+            return placedFrom(blockSpace(), blockSurfaceAt(pointInto(blockSpace(), p)), p);
         }
+        case OBJECT_HOLLOW: {
+            return placedFrom(
+                hollowSpace(),
+                inverted(hollowSurfaceAt(pointInto(hollowSpace(), p))),
+                p,
+            );
+        }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -200,22 +187,27 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Plane 0"
 fn plane0Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "mirrored"
 fn mirroredMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "stretched"
 fn stretchedMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "block"
 fn blockMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "hollow"
 fn hollowMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }

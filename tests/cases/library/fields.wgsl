@@ -25,86 +25,150 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Sphere 0": Sphere(center: (0, 0, 0))
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_SPHERE_0);
-    // objects[1] "Sphere 1": Sphere(center: (2, 0, 0))
-    hit = nearer(hit, sphere(ray, vec3f(2.0, 0.0, 0.0), 1.0), OBJECT_SPHERE_1);
-    // objects[2] "Sphere 2": Sphere(center: (4, 0, 0))
-    hit = nearer(hit, sphere(ray, vec3f(4.0, 0.0, 0.0), 1.0), OBJECT_SPHERE_2);
-    // objects[3] "Sphere 3": Sphere(center: (6, 0, 0))
-    hit = nearer(hit, sphere(ray, vec3f(6.0, 0.0, 0.0), 1.0), OBJECT_SPHERE_3);
-    // objects[4] "Sphere 4": Sphere(center: (8, 0, 0))
-    hit = nearer(hit, sphere(ray, vec3f(8.0, 0.0, 0.0), 1.0), OBJECT_SPHERE_4);
-    // objects[5] "Sphere 5": Sphere(center: (0, 2, 0))
-    hit = nearer(hit, sphere(ray, vec3f(0.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_5);
-    // objects[6] "Sphere 6": Sphere(center: (2, 2, 0))
-    hit = nearer(hit, sphere(ray, vec3f(2.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_6);
-    // objects[7] "Sphere 7": Sphere(center: (4, 2, 0))
-    hit = nearer(hit, sphere(ray, vec3f(4.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_7);
-    // objects[8] "Sphere 8": Sphere(center: (6, 2, 0))
-    hit = nearer(hit, sphere(ray, vec3f(6.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_8);
-    // objects[9] "Sphere 9": Sphere(center: (8, 2, 0))
-    hit = nearer(hit, sphere(ray, vec3f(8.0, 2.0, 0.0), 1.0), OBJECT_SPHERE_9);
-    // objects[10] "Sphere 10": Sphere(center: (0, 4, 0))
-    hit = nearer(hit, sphere(ray, vec3f(0.0, 4.0, 0.0), 1.0), OBJECT_SPHERE_10);
+    hit = nearer(hit, sphere0Crossing(ray), OBJECT_SPHERE_0);
+    hit = nearer(hit, sphere1Crossing(ray), OBJECT_SPHERE_1);
+    hit = nearer(hit, sphere2Crossing(ray), OBJECT_SPHERE_2);
+    hit = nearer(hit, sphere3Crossing(ray), OBJECT_SPHERE_3);
+    hit = nearer(hit, sphere4Crossing(ray), OBJECT_SPHERE_4);
+    hit = nearer(hit, sphere5Crossing(ray), OBJECT_SPHERE_5);
+    hit = nearer(hit, sphere6Crossing(ray), OBJECT_SPHERE_6);
+    hit = nearer(hit, sphere7Crossing(ray), OBJECT_SPHERE_7);
+    hit = nearer(hit, sphere8Crossing(ray), OBJECT_SPHERE_8);
+    hit = nearer(hit, sphere9Crossing(ray), OBJECT_SPHERE_9);
+    hit = nearer(hit, sphere10Crossing(ray), OBJECT_SPHERE_10);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(2.0, 0.0, 0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(4.0, 0.0, 0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(6.0, 0.0, 0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(8.0, 0.0, 0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(2.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(4.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(6.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(8.0, 2.0, 0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0, 4.0, 0.0), 1.0) < NO_HIT { return true; }
+    if sphere0Crossing(ray) < NO_HIT { return true; }
+    if sphere1Crossing(ray) < NO_HIT { return true; }
+    if sphere2Crossing(ray) < NO_HIT { return true; }
+    if sphere3Crossing(ray) < NO_HIT { return true; }
+    if sphere4Crossing(ray) < NO_HIT { return true; }
+    if sphere5Crossing(ray) < NO_HIT { return true; }
+    if sphere6Crossing(ray) < NO_HIT { return true; }
+    if sphere7Crossing(ray) < NO_HIT { return true; }
+    if sphere8Crossing(ray) < NO_HIT { return true; }
+    if sphere9Crossing(ray) < NO_HIT { return true; }
+    if sphere10Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Sphere 0": Sphere(center: (0, 0, 0))
+fn sphere0Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn sphere0SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
+}
+
+/// objects[1] "Sphere 1": Sphere(center: (2, 0, 0))
+fn sphere1Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(2.0, 0.0, 0.0), 1.0);
+}
+
+fn sphere1SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(2.0, 0.0, 0.0), 1.0);
+}
+
+/// objects[2] "Sphere 2": Sphere(center: (4, 0, 0))
+fn sphere2Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(4.0, 0.0, 0.0), 1.0);
+}
+
+fn sphere2SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(4.0, 0.0, 0.0), 1.0);
+}
+
+/// objects[3] "Sphere 3": Sphere(center: (6, 0, 0))
+fn sphere3Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(6.0, 0.0, 0.0), 1.0);
+}
+
+fn sphere3SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(6.0, 0.0, 0.0), 1.0);
+}
+
+/// objects[4] "Sphere 4": Sphere(center: (8, 0, 0))
+fn sphere4Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(8.0, 0.0, 0.0), 1.0);
+}
+
+fn sphere4SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(8.0, 0.0, 0.0), 1.0);
+}
+
+/// objects[5] "Sphere 5": Sphere(center: (0, 2, 0))
+fn sphere5Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0, 2.0, 0.0), 1.0);
+}
+
+fn sphere5SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0, 2.0, 0.0), 1.0);
+}
+
+/// objects[6] "Sphere 6": Sphere(center: (2, 2, 0))
+fn sphere6Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(2.0, 2.0, 0.0), 1.0);
+}
+
+fn sphere6SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(2.0, 2.0, 0.0), 1.0);
+}
+
+/// objects[7] "Sphere 7": Sphere(center: (4, 2, 0))
+fn sphere7Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(4.0, 2.0, 0.0), 1.0);
+}
+
+fn sphere7SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(4.0, 2.0, 0.0), 1.0);
+}
+
+/// objects[8] "Sphere 8": Sphere(center: (6, 2, 0))
+fn sphere8Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(6.0, 2.0, 0.0), 1.0);
+}
+
+fn sphere8SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(6.0, 2.0, 0.0), 1.0);
+}
+
+/// objects[9] "Sphere 9": Sphere(center: (8, 2, 0))
+fn sphere9Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(8.0, 2.0, 0.0), 1.0);
+}
+
+fn sphere9SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(8.0, 2.0, 0.0), 1.0);
+}
+
+/// objects[10] "Sphere 10": Sphere(center: (0, 4, 0))
+fn sphere10Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0, 4.0, 0.0), 1.0);
+}
+
+fn sphere10SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0, 4.0, 0.0), 1.0);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_SPHERE_0: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        case OBJECT_SPHERE_1: {
-            return placed(sphereSurface(p, vec3f(2.0, 0.0, 0.0), 1.0), p);
-        }
-        case OBJECT_SPHERE_2: {
-            return placed(sphereSurface(p, vec3f(4.0, 0.0, 0.0), 1.0), p);
-        }
-        case OBJECT_SPHERE_3: {
-            return placed(sphereSurface(p, vec3f(6.0, 0.0, 0.0), 1.0), p);
-        }
-        case OBJECT_SPHERE_4: {
-            return placed(sphereSurface(p, vec3f(8.0, 0.0, 0.0), 1.0), p);
-        }
-        case OBJECT_SPHERE_5: {
-            return placed(sphereSurface(p, vec3f(0.0, 2.0, 0.0), 1.0), p);
-        }
-        case OBJECT_SPHERE_6: {
-            return placed(sphereSurface(p, vec3f(2.0, 2.0, 0.0), 1.0), p);
-        }
-        case OBJECT_SPHERE_7: {
-            return placed(sphereSurface(p, vec3f(4.0, 2.0, 0.0), 1.0), p);
-        }
-        case OBJECT_SPHERE_8: {
-            return placed(sphereSurface(p, vec3f(6.0, 2.0, 0.0), 1.0), p);
-        }
-        case OBJECT_SPHERE_9: {
-            return placed(sphereSurface(p, vec3f(8.0, 2.0, 0.0), 1.0), p);
-        }
-        case OBJECT_SPHERE_10: {
-            return placed(sphereSurface(p, vec3f(0.0, 4.0, 0.0), 1.0), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_SPHERE_0: { return placed(sphere0SurfaceAt(p), p); }
+        case OBJECT_SPHERE_1: { return placed(sphere1SurfaceAt(p), p); }
+        case OBJECT_SPHERE_2: { return placed(sphere2SurfaceAt(p), p); }
+        case OBJECT_SPHERE_3: { return placed(sphere3SurfaceAt(p), p); }
+        case OBJECT_SPHERE_4: { return placed(sphere4SurfaceAt(p), p); }
+        case OBJECT_SPHERE_5: { return placed(sphere5SurfaceAt(p), p); }
+        case OBJECT_SPHERE_6: { return placed(sphere6SurfaceAt(p), p); }
+        case OBJECT_SPHERE_7: { return placed(sphere7SurfaceAt(p), p); }
+        case OBJECT_SPHERE_8: { return placed(sphere8SurfaceAt(p), p); }
+        case OBJECT_SPHERE_9: { return placed(sphere9SurfaceAt(p), p); }
+        case OBJECT_SPHERE_10: { return placed(sphere10SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -126,18 +190,22 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Sphere 0": (color: RadialGradient())
 fn sphere0Material(at: Surface) -> Material {
     return matte(vec3f(radialGradient(at, 0.0, 5.0, false)));
 }
 
+/// material "Sphere 1": (color: SphericalGradient())
 fn sphere1Material(at: Surface) -> Material {
     return matte(vec3f(sphericalGradient(at, vec3f(0.0), 0.0, 3.0, false)));
 }
 
+/// material "Sphere 2": (color: ConicGradient())
 fn sphere2Material(at: Surface) -> Material {
     return matte(vec3f(conicGradient(at, 1u, 0.0)));
 }
 
+/// material "Sphere 3": (color: Rings())
 fn sphere3Material(at: Surface) -> Material {
     return matte(
         rings(
@@ -150,6 +218,7 @@ fn sphere3Material(at: Surface) -> Material {
     );
 }
 
+/// material "Sphere 4": (color: Spiral())
 fn sphere4Material(at: Surface) -> Material {
     return matte(
         spiral(
@@ -163,22 +232,27 @@ fn sphere4Material(at: Surface) -> Material {
     );
 }
 
+/// material "Sphere 5": (color: Waves())
 fn sphere5Material(at: Surface) -> Material {
     return matte(vec3f(waves(at, 2.0, vec3f(0.6, 0.3, 1.0), 1.0, 2u)));
 }
 
+/// material "Sphere 6": (color: Ripples())
 fn sphere6Material(at: Surface) -> Material {
     return matte(vec3f(ripples(at, 2.0, 4u, 2.5, 3u)));
 }
 
+/// material "Sphere 7": (color: Wave())
 fn sphere7Material(at: Surface) -> Material {
     return matte(vec3f(wave(at, 2.0, vec3f(1.0, 0.0, 0.0), 0.0, 0.0, 0u)));
 }
 
+/// material "Sphere 8": (color: Onion())
 fn sphere8Material(at: Surface) -> Material {
     return matte(vec3f(onion(at, 3.0, vec3f(0.0), 0.3)));
 }
 
+/// material "Sphere 9": (color: Leopard())
 fn sphere9Material(at: Surface) -> Material {
     return matte(
         leopard(
@@ -191,6 +265,7 @@ fn sphere9Material(at: Surface) -> Material {
     );
 }
 
+/// material "Sphere 10": (color: Wave(of: Onion(), shape: Scallop))
 fn sphere10Material(at: Surface) -> Material {
     return matte(
         vec3f(wave(at, 2.0, vec3f(1.0, 0.0, 0.0), onion(at, 3.0, vec3f(0.0), 0.3), 0.0, 4u)),

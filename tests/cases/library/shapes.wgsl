@@ -17,115 +17,22 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "RoundedCone 0": RoundedCone(translate: (0, 0, 0))
     hit = nearer(
         hit,
-        roundedCone(
-            rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, 0.0),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.0, 0.0, 1.0, 0.0),
-                ),
-                ray,
-            ),
-            vec3f(0.0),
-            vec3f(0.0, 1.0, 0.0),
-            0.5,
-            0.25,
-        ),
+        roundedCone0Crossing(rayInto(roundedCone0Space(), ray)),
         OBJECT_ROUNDEDCONE_0,
     );
-    // objects[1] "Wedge 1": Wedge(translate: (2, 0, 0))
+    hit = nearer(hit, wedge1Crossing(rayInto(wedge1Space(), ray)), OBJECT_WEDGE_1);
+    hit = nearer(hit, pyramid2Crossing(rayInto(pyramid2Space(), ray)), OBJECT_PYRAMID_2);
+    hit = nearer(hit, paraboloid3Crossing(rayInto(paraboloid3Space(), ray)), OBJECT_PARABOLOID_3);
     hit = nearer(
         hit,
-        wedge(
-            rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, -2.0),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.0, 0.0, 1.0, 0.0),
-                ),
-                ray,
-            ),
-            vec3f(-1.0),
-            vec3f(1.0),
-        ),
-        OBJECT_WEDGE_1,
-    );
-    // objects[2] "Pyramid 2": Pyramid(translate: (4, 0, 0))
-    hit = nearer(
-        hit,
-        pyramid(
-            rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, -4.0),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.0, 0.0, 1.0, 0.0),
-                ),
-                ray,
-            ),
-            vec3f(0.0),
-            vec3f(0.0, 1.0, 0.0),
-            2.0,
-            0.0,
-        ),
-        OBJECT_PYRAMID_2,
-    );
-    // objects[3] "Paraboloid 3": Paraboloid(translate: (6, 0, 0))
-    hit = nearer(
-        hit,
-        paraboloid(
-            rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, -6.0),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.0, 0.0, 1.0, 0.0),
-                ),
-                ray,
-            ),
-            vec3f(0.0),
-            vec3f(0.0, 1.0, 0.0),
-            1.0,
-        ),
-        OBJECT_PARABOLOID_3,
-    );
-    // objects[4] "Hyperboloid 4": Hyperboloid(translate: (8, 0, 0))
-    hit = nearer(
-        hit,
-        hyperboloid(
-            rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, -8.0),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.0, 0.0, 1.0, 0.0),
-                ),
-                ray,
-            ),
-            vec3f(0.0),
-            vec3f(0.0, 1.0, 0.0),
-            1.0,
-            0.5,
-        ),
+        hyperboloid4Crossing(rayInto(hyperboloid4Space(), ray)),
         OBJECT_HYPERBOLOID_4,
     );
-    // objects[5] "Superellipsoid 5": Superellipsoid(translate: (10, 0, 0))
     hit = nearer(
         hit,
-        superellipsoid(
-            rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, -10.0),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.0, 0.0, 1.0, 0.0),
-                ),
-                ray,
-            ),
-            vec3f(0.0),
-            vec3f(1.0),
-            0.4,
-            0.4,
-        ),
+        superellipsoid5Crossing(rayInto(superellipsoid5Space(), ray)),
         OBJECT_SUPERELLIPSOID_5,
     );
     return hit;
@@ -133,150 +40,131 @@ fn rayTraceScene(ray: Ray) -> Hit {
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if roundedCone(
-        rayInto(
-            Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, 0.0)),
-            ray,
-        ),
-        vec3f(0.0),
-        vec3f(0.0, 1.0, 0.0),
-        0.5,
-        0.25,
-    ) < NO_HIT { return true; }
-    if wedge(
-        rayInto(
-            Space(vec4f(1.0, 0.0, 0.0, -2.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, 0.0)),
-            ray,
-        ),
-        vec3f(-1.0),
-        vec3f(1.0),
-    ) < NO_HIT { return true; }
-    if pyramid(
-        rayInto(
-            Space(vec4f(1.0, 0.0, 0.0, -4.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, 0.0)),
-            ray,
-        ),
-        vec3f(0.0),
-        vec3f(0.0, 1.0, 0.0),
-        2.0,
-        0.0,
-    ) < NO_HIT { return true; }
-    if paraboloid(
-        rayInto(
-            Space(vec4f(1.0, 0.0, 0.0, -6.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, 0.0)),
-            ray,
-        ),
-        vec3f(0.0),
-        vec3f(0.0, 1.0, 0.0),
-        1.0,
-    ) < NO_HIT { return true; }
-    if hyperboloid(
-        rayInto(
-            Space(vec4f(1.0, 0.0, 0.0, -8.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, 0.0)),
-            ray,
-        ),
-        vec3f(0.0),
-        vec3f(0.0, 1.0, 0.0),
-        1.0,
-        0.5,
-    ) < NO_HIT { return true; }
-    if superellipsoid(
-        rayInto(
-            Space(
-                vec4f(1.0, 0.0, 0.0, -10.0),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            ),
-            ray,
-        ),
-        vec3f(0.0),
-        vec3f(1.0),
-        0.4,
-        0.4,
-    ) < NO_HIT { return true; }
+    if roundedCone0Crossing(rayInto(roundedCone0Space(), ray)) < NO_HIT { return true; }
+    if wedge1Crossing(rayInto(wedge1Space(), ray)) < NO_HIT { return true; }
+    if pyramid2Crossing(rayInto(pyramid2Space(), ray)) < NO_HIT { return true; }
+    if paraboloid3Crossing(rayInto(paraboloid3Space(), ray)) < NO_HIT { return true; }
+    if hyperboloid4Crossing(rayInto(hyperboloid4Space(), ray)) < NO_HIT { return true; }
+    if superellipsoid5Crossing(rayInto(superellipsoid5Space(), ray)) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "RoundedCone 0": RoundedCone(translate: (0, 0, 0))
+fn roundedCone0Crossing(ray: Ray) -> f32 {
+    return roundedCone(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 0.5, 0.25);
+}
+
+fn roundedCone0SurfaceAt(p: vec3f) -> Surface {
+    return roundedConeSurface(p, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 0.5, 0.25);
+}
+
+fn roundedCone0Space() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, 0.0));
+}
+
+/// objects[1] "Wedge 1": Wedge(translate: (2, 0, 0))
+fn wedge1Crossing(ray: Ray) -> f32 {
+    return wedge(ray, vec3f(-1.0), vec3f(1.0));
+}
+
+fn wedge1SurfaceAt(p: vec3f) -> Surface {
+    return wedgeSurface(p, vec3f(-1.0), vec3f(1.0));
+}
+
+fn wedge1Space() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, -2.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, 0.0));
+}
+
+/// objects[2] "Pyramid 2": Pyramid(translate: (4, 0, 0))
+fn pyramid2Crossing(ray: Ray) -> f32 {
+    return pyramid(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 2.0, 0.0);
+}
+
+fn pyramid2SurfaceAt(p: vec3f) -> Surface {
+    return pyramidSurface(p, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 2.0, 0.0);
+}
+
+fn pyramid2Space() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, -4.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, 0.0));
+}
+
+/// objects[3] "Paraboloid 3": Paraboloid(translate: (6, 0, 0))
+fn paraboloid3Crossing(ray: Ray) -> f32 {
+    return paraboloid(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0);
+}
+
+fn paraboloid3SurfaceAt(p: vec3f) -> Surface {
+    return paraboloidSurface(p, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0);
+}
+
+fn paraboloid3Space() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, -6.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, 0.0));
+}
+
+/// objects[4] "Hyperboloid 4": Hyperboloid(translate: (8, 0, 0))
+fn hyperboloid4Crossing(ray: Ray) -> f32 {
+    return hyperboloid(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.5);
+}
+
+fn hyperboloid4SurfaceAt(p: vec3f) -> Surface {
+    return hyperboloidSurface(p, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.5);
+}
+
+fn hyperboloid4Space() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, -8.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, 0.0));
+}
+
+/// objects[5] "Superellipsoid 5": Superellipsoid(translate: (10, 0, 0))
+fn superellipsoid5Crossing(ray: Ray) -> f32 {
+    return superellipsoid(ray, vec3f(0.0), vec3f(1.0), 0.4, 0.4);
+}
+
+fn superellipsoid5SurfaceAt(p: vec3f) -> Surface {
+    return superellipsoidSurface(p, vec3f(0.0), vec3f(1.0), 0.4, 0.4);
+}
+
+fn superellipsoid5Space() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, -10.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, 0.0));
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_ROUNDEDCONE_0: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, 0.0),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            );
             return placedFrom(
-                space,
-                roundedConeSurface(
-                    pointInto(space, p),
-                    vec3f(0.0),
-                    vec3f(0.0, 1.0, 0.0),
-                    0.5,
-                    0.25,
-                ),
+                roundedCone0Space(),
+                roundedCone0SurfaceAt(pointInto(roundedCone0Space(), p)),
                 p,
             );
         }
         case OBJECT_WEDGE_1: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, -2.0),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            );
-            return placedFrom(space, wedgeSurface(pointInto(space, p), vec3f(-1.0), vec3f(1.0)), p);
+            return placedFrom(wedge1Space(), wedge1SurfaceAt(pointInto(wedge1Space(), p)), p);
         }
         case OBJECT_PYRAMID_2: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, -4.0),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            );
-            return placedFrom(
-                space,
-                pyramidSurface(pointInto(space, p), vec3f(0.0), vec3f(0.0, 1.0, 0.0), 2.0, 0.0),
-                p,
-            );
+            return placedFrom(pyramid2Space(), pyramid2SurfaceAt(pointInto(pyramid2Space(), p)), p);
         }
         case OBJECT_PARABOLOID_3: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, -6.0),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            );
             return placedFrom(
-                space,
-                paraboloidSurface(pointInto(space, p), vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0),
+                paraboloid3Space(),
+                paraboloid3SurfaceAt(pointInto(paraboloid3Space(), p)),
                 p,
             );
         }
         case OBJECT_HYPERBOLOID_4: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, -8.0),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            );
             return placedFrom(
-                space,
-                hyperboloidSurface(pointInto(space, p), vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.5),
+                hyperboloid4Space(),
+                hyperboloid4SurfaceAt(pointInto(hyperboloid4Space(), p)),
                 p,
             );
         }
         case OBJECT_SUPERELLIPSOID_5: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, -10.0),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            );
             return placedFrom(
-                space,
-                superellipsoidSurface(pointInto(space, p), vec3f(0.0), vec3f(1.0), 0.4, 0.4),
+                superellipsoid5Space(),
+                superellipsoid5SurfaceAt(pointInto(superellipsoid5Space(), p)),
                 p,
             );
         }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -293,26 +181,32 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "RoundedCone 0"
 fn roundedCone0Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "Wedge 1"
 fn wedge1Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "Pyramid 2"
 fn pyramid2Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "Paraboloid 3"
 fn paraboloid3Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "Hyperboloid 4"
 fn hyperboloid4Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "Superellipsoid 5"
 fn superellipsoid5Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }

@@ -12,26 +12,30 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Plane 0": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
+    hit = nearer(hit, plane0Crossing(ray), OBJECT_PLANE_0);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
+    if plane0Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Plane 0": Plane()
+fn plane0Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn plane0SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_PLANE_0: { return placed(plane0SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -43,6 +47,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Plane 0"
 fn plane0Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }

@@ -13,32 +13,42 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Plane 0": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
-    // objects[1] "Box 1": Box(min: (-0.4, 0, -0.4), max: (0.4, 2, 0.4))
-    hit = nearer(hit, box(ray, vec3f(-0.4, 0.0, -0.4), vec3f(0.4, 2.0, 0.4)), OBJECT_BOX_1);
+    hit = nearer(hit, plane0Crossing(ray), OBJECT_PLANE_0);
+    hit = nearer(hit, box1Crossing(ray), OBJECT_BOX_1);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
-    if box(ray, vec3f(-0.4, 0.0, -0.4), vec3f(0.4, 2.0, 0.4)) < NO_HIT { return true; }
+    if plane0Crossing(ray) < NO_HIT { return true; }
+    if box1Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Plane 0": Plane()
+fn plane0Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn plane0SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// objects[1] "Box 1": Box(min: (-0.4, 0, -0.4), max: (0.4, 2, 0.4))
+fn box1Crossing(ray: Ray) -> f32 {
+    return box(ray, vec3f(-0.4, 0.0, -0.4), vec3f(0.4, 2.0, 0.4));
+}
+
+fn box1SurfaceAt(p: vec3f) -> Surface {
+    return boxSurface(p, vec3f(-0.4, 0.0, -0.4), vec3f(0.4, 2.0, 0.4));
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
-        case OBJECT_BOX_1: {
-            return placed(boxSurface(p, vec3f(-0.4, 0.0, -0.4), vec3f(0.4, 2.0, 0.4)), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_PLANE_0: { return placed(plane0SurfaceAt(p), p); }
+        case OBJECT_BOX_1: { return placed(box1SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -51,10 +61,12 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Plane 0"
 fn plane0Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "Box 1"
 fn box1Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }

@@ -19,68 +19,114 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "a": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_A);
-    // objects[1] "b": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_B);
-    // objects[2] "c": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_C);
-    // objects[3] "d": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_D);
-    // objects[4] "e": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_E);
-    // objects[5] "f": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_F);
-    // objects[6] "g": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_G);
-    // objects[7] "h": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_H);
+    hit = nearer(hit, aCrossing(ray), OBJECT_A);
+    hit = nearer(hit, bCrossing(ray), OBJECT_B);
+    hit = nearer(hit, cCrossing(ray), OBJECT_C);
+    hit = nearer(hit, dCrossing(ray), OBJECT_D);
+    hit = nearer(hit, eCrossing(ray), OBJECT_E);
+    hit = nearer(hit, fCrossing(ray), OBJECT_F);
+    hit = nearer(hit, gCrossing(ray), OBJECT_G);
+    hit = nearer(hit, hCrossing(ray), OBJECT_H);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
+    if aCrossing(ray) < NO_HIT { return true; }
+    if bCrossing(ray) < NO_HIT { return true; }
+    if cCrossing(ray) < NO_HIT { return true; }
+    if dCrossing(ray) < NO_HIT { return true; }
+    if eCrossing(ray) < NO_HIT { return true; }
+    if fCrossing(ray) < NO_HIT { return true; }
+    if gCrossing(ray) < NO_HIT { return true; }
+    if hCrossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "a": Sphere()
+fn aCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn aSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
+}
+
+/// objects[1] "b": Sphere()
+fn bCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn bSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
+}
+
+/// objects[2] "c": Sphere()
+fn cCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn cSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
+}
+
+/// objects[3] "d": Sphere()
+fn dCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn dSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
+}
+
+/// objects[4] "e": Sphere()
+fn eCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn eSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
+}
+
+/// objects[5] "f": Sphere()
+fn fCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn fSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
+}
+
+/// objects[6] "g": Sphere()
+fn gCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn gSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
+}
+
+/// objects[7] "h": Sphere()
+fn hCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn hSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_A: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        case OBJECT_B: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        case OBJECT_C: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        case OBJECT_D: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        case OBJECT_E: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        case OBJECT_F: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        case OBJECT_G: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        case OBJECT_H: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_A: { return placed(aSurfaceAt(p), p); }
+        case OBJECT_B: { return placed(bSurfaceAt(p), p); }
+        case OBJECT_C: { return placed(cSurfaceAt(p), p); }
+        case OBJECT_D: { return placed(dSurfaceAt(p), p); }
+        case OBJECT_E: { return placed(eSurfaceAt(p), p); }
+        case OBJECT_F: { return placed(fSurfaceAt(p), p); }
+        case OBJECT_G: { return placed(gSurfaceAt(p), p); }
+        case OBJECT_H: { return placed(hSurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -99,34 +145,42 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "a": (color: "#ff8800")
 fn aMaterial(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.24620135, 0.0));
 }
 
+/// material "b": (color: "#f80")
 fn bMaterial(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.24620135, 0.0));
 }
 
+/// material "c": (color: "rgb(255, 136, 0)")
 fn cMaterial(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.24620135, 0.0));
 }
 
+/// material "d": (color: "rgb(255 136 0)")
 fn dMaterial(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.24620135, 0.0));
 }
 
+/// material "e": (color: "rgba(100%, 53.33333333%, 0%, 1)")
 fn eMaterial(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.24620129, 0.0));
 }
 
+/// material "f": (color: "hsl(32 100% 50%)")
 fn fMaterial(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.24620129, 0.0));
 }
 
+/// material "g": (color: "hsla(32deg, 100%, 50%, 100%)")
 fn gMaterial(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.24620129, 0.0));
 }
 
+/// material "h": (color: "hwb(32 0% 0%)")
 fn hMaterial(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.24620129, 0.0));
 }

@@ -16,42 +16,64 @@ const TRANSMITS: bool = true;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Plane 0": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
-    // objects[1] "Plane 1": Plane(normal: (0, 0, 1), offset: -3)
-    hit = nearer(hit, plane(ray, vec3f(0.0, 0.0, 1.0), -3.0), OBJECT_PLANE_1);
-    // objects[2] "Sphere 2": Sphere(center: (-1.1, 1, 0), casts_shadow: false)
-    hit = nearer(hit, sphere(ray, vec3f(-1.1, 1.0, 0.0), 1.0), OBJECT_SPHERE_2);
-    // objects[3] "Box 3": Box(min: (0.5, 0.2, -0.5), max: (1.7, 1.7, 0.5), casts_shadow: false)
-    hit = nearer(hit, box(ray, vec3f(0.5, 0.2, -0.5), vec3f(1.7, 1.7, 0.5)), OBJECT_BOX_3);
+    hit = nearer(hit, plane0Crossing(ray), OBJECT_PLANE_0);
+    hit = nearer(hit, plane1Crossing(ray), OBJECT_PLANE_1);
+    hit = nearer(hit, sphere2Crossing(ray), OBJECT_SPHERE_2);
+    hit = nearer(hit, box3Crossing(ray), OBJECT_BOX_3);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
-    if plane(ray, vec3f(0.0, 0.0, 1.0), -3.0) < NO_HIT { return true; }
+    if plane0Crossing(ray) < NO_HIT { return true; }
+    if plane1Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Plane 0": Plane()
+fn plane0Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn plane0SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// objects[1] "Plane 1": Plane(normal: (0, 0, 1), offset: -3)
+fn plane1Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 0.0, 1.0), -3.0);
+}
+
+fn plane1SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 0.0, 1.0), -3.0);
+}
+
+/// objects[2] "Sphere 2": Sphere(center: (-1.1, 1, 0), casts_shadow: false)
+fn sphere2Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(-1.1, 1.0, 0.0), 1.0);
+}
+
+fn sphere2SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(-1.1, 1.0, 0.0), 1.0);
+}
+
+/// objects[3] "Box 3": Box(min: (0.5, 0.2, -0.5), max: (1.7, 1.7, 0.5), casts_shadow: false)
+fn box3Crossing(ray: Ray) -> f32 {
+    return box(ray, vec3f(0.5, 0.2, -0.5), vec3f(1.7, 1.7, 0.5));
+}
+
+fn box3SurfaceAt(p: vec3f) -> Surface {
+    return boxSurface(p, vec3f(0.5, 0.2, -0.5), vec3f(1.7, 1.7, 0.5));
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
-        case OBJECT_PLANE_1: {
-            return placed(planeSurface(p, vec3f(0.0, 0.0, 1.0), -3.0), p);
-        }
-        case OBJECT_SPHERE_2: {
-            return placed(sphereSurface(p, vec3f(-1.1, 1.0, 0.0), 1.0), p);
-        }
-        case OBJECT_BOX_3: {
-            return placed(boxSurface(p, vec3f(0.5, 0.2, -0.5), vec3f(1.7, 1.7, 0.5)), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_PLANE_0: { return placed(plane0SurfaceAt(p), p); }
+        case OBJECT_PLANE_1: { return placed(plane1SurfaceAt(p), p); }
+        case OBJECT_SPHERE_2: { return placed(sphere2SurfaceAt(p), p); }
+        case OBJECT_BOX_3: { return placed(box3SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -66,6 +88,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Plane 0": (color: Checker())
 fn plane0Material(at: Surface) -> Material {
     return matte(
         checker(
@@ -77,10 +100,12 @@ fn plane0Material(at: Surface) -> Material {
     );
 }
 
+/// material "Plane 1": (color: Stripes(even: "tomato", odd: "#fff"))
 fn plane1Material(at: Surface) -> Material {
     return matte(stripes(at, 1.0, vec3f(1.0, 0.12477182, 0.06301002), vec3f(1.0)));
 }
 
+/// material "Sphere 2": (color: 0, transmission: 1, reflectivity: 0.04, fresnel: 5)
 fn sphere2Material(at: Surface) -> Material {
     var material = matte(vec3f(0.0));
     material.reflectivity = 0.04;
@@ -89,6 +114,7 @@ fn sphere2Material(at: Surface) -> Material {
     return material;
 }
 
+/// material "Box 3": (color: 0, transmission: 1, reflectivity: 0.04, fresnel: 5)
 fn box3Material(at: Surface) -> Material {
     var material = matte(vec3f(0.0));
     material.reflectivity = 0.04;

@@ -16,56 +16,66 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Plane 0": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
-    // objects[1] "Sphere 1": Sphere(center: (0, 0.7, 0), radius: 0.7)
-    hit = nearer(hit, sphere(ray, vec3f(0.0, 0.7, 0.0), 0.7), OBJECT_SPHERE_1);
-    // objects[2] "Quad 2": Quad(corner: (-2, 0, -2), u: (4, 0, 0), v: (0, 3, 0))
-    hit = nearer(
-        hit,
-        quad(ray, vec3f(-2.0, 0.0, -2.0), vec3f(4.0, 0.0, 0.0), vec3f(0.0, 3.0, 0.0)),
-        OBJECT_QUAD_2,
-    );
-    // objects[3] "Sphere 3": Sphere(center: (1.5, 0.5, 0.8), radius: 0.5)
-    hit = nearer(hit, sphere(ray, vec3f(1.5, 0.5, 0.8), 0.5), OBJECT_SPHERE_3);
+    hit = nearer(hit, plane0Crossing(ray), OBJECT_PLANE_0);
+    hit = nearer(hit, sphere1Crossing(ray), OBJECT_SPHERE_1);
+    hit = nearer(hit, quad2Crossing(ray), OBJECT_QUAD_2);
+    hit = nearer(hit, sphere3Crossing(ray), OBJECT_SPHERE_3);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0, 0.7, 0.0), 0.7) < NO_HIT { return true; }
-    if quad(
-        ray,
-        vec3f(-2.0, 0.0, -2.0),
-        vec3f(4.0, 0.0, 0.0),
-        vec3f(0.0, 3.0, 0.0),
-    ) < NO_HIT { return true; }
-    if sphere(ray, vec3f(1.5, 0.5, 0.8), 0.5) < NO_HIT { return true; }
+    if plane0Crossing(ray) < NO_HIT { return true; }
+    if sphere1Crossing(ray) < NO_HIT { return true; }
+    if quad2Crossing(ray) < NO_HIT { return true; }
+    if sphere3Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Plane 0": Plane()
+fn plane0Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn plane0SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// objects[1] "Sphere 1": Sphere(center: (0, 0.7, 0), radius: 0.7)
+fn sphere1Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0, 0.7, 0.0), 0.7);
+}
+
+fn sphere1SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0, 0.7, 0.0), 0.7);
+}
+
+/// objects[2] "Quad 2": Quad(corner: (-2, 0, -2), u: (4, 0, 0), v: (0, 3, 0))
+fn quad2Crossing(ray: Ray) -> f32 {
+    return quad(ray, vec3f(-2.0, 0.0, -2.0), vec3f(4.0, 0.0, 0.0), vec3f(0.0, 3.0, 0.0));
+}
+
+fn quad2SurfaceAt(p: vec3f) -> Surface {
+    return quadSurface(p, vec3f(-2.0, 0.0, -2.0), vec3f(4.0, 0.0, 0.0), vec3f(0.0, 3.0, 0.0));
+}
+
+/// objects[3] "Sphere 3": Sphere(center: (1.5, 0.5, 0.8), radius: 0.5)
+fn sphere3Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(1.5, 0.5, 0.8), 0.5);
+}
+
+fn sphere3SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(1.5, 0.5, 0.8), 0.5);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
-        case OBJECT_SPHERE_1: {
-            return placed(sphereSurface(p, vec3f(0.0, 0.7, 0.0), 0.7), p);
-        }
-        case OBJECT_QUAD_2: {
-            return placed(
-                quadSurface(p, vec3f(-2.0, 0.0, -2.0), vec3f(4.0, 0.0, 0.0), vec3f(0.0, 3.0, 0.0)),
-                p,
-            );
-        }
-        case OBJECT_SPHERE_3: {
-            return placed(sphereSurface(p, vec3f(1.5, 0.5, 0.8), 0.5), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_PLANE_0: { return placed(plane0SurfaceAt(p), p); }
+        case OBJECT_SPHERE_1: { return placed(sphere1SurfaceAt(p), p); }
+        case OBJECT_QUAD_2: { return placed(quad2SurfaceAt(p), p); }
+        case OBJECT_SPHERE_3: { return placed(sphere3SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -80,6 +90,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Plane 0": (color: Checker())
 fn plane0Material(at: Surface) -> Material {
     return matte(
         checker(
@@ -91,6 +102,7 @@ fn plane0Material(at: Surface) -> Material {
     );
 }
 
+/// material "Sphere 1": (color: "tomato", reflectivity: 0.02, fresnel: 5)
 fn sphere1Material(at: Surface) -> Material {
     var material = matte(vec3f(1.0, 0.12477182, 0.06301002));
     material.reflectivity = 0.02;
@@ -98,12 +110,14 @@ fn sphere1Material(at: Surface) -> Material {
     return material;
 }
 
+/// material "Quad 2": (color: 0.05, reflectivity: 0.9)
 fn quad2Material(at: Surface) -> Material {
     var material = matte(vec3f(0.05));
     material.reflectivity = 0.9;
     return material;
 }
 
+/// material "Sphere 3": (color: 0.05, reflectivity: 0.9)
 fn sphere3Material(at: Surface) -> Material {
     var material = matte(vec3f(0.05));
     material.reflectivity = 0.9;

@@ -15,44 +15,66 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Sphere 0": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_SPHERE_0);
-    // objects[1] "Box 1": Box()
-    hit = nearer(hit, box(ray, vec3f(-1.0), vec3f(1.0)), OBJECT_BOX_1);
-    // objects[2] "Torus 2": Torus()
-    hit = nearer(hit, torus(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25), OBJECT_TORUS_2);
-    // objects[3] "Plane 3": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_3);
+    hit = nearer(hit, sphere0Crossing(ray), OBJECT_SPHERE_0);
+    hit = nearer(hit, box1Crossing(ray), OBJECT_BOX_1);
+    hit = nearer(hit, torus2Crossing(ray), OBJECT_TORUS_2);
+    hit = nearer(hit, plane3Crossing(ray), OBJECT_PLANE_3);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
-    if box(ray, vec3f(-1.0), vec3f(1.0)) < NO_HIT { return true; }
-    if torus(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25) < NO_HIT { return true; }
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
+    if sphere0Crossing(ray) < NO_HIT { return true; }
+    if box1Crossing(ray) < NO_HIT { return true; }
+    if torus2Crossing(ray) < NO_HIT { return true; }
+    if plane3Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Sphere 0": Sphere()
+fn sphere0Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn sphere0SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
+}
+
+/// objects[1] "Box 1": Box()
+fn box1Crossing(ray: Ray) -> f32 {
+    return box(ray, vec3f(-1.0), vec3f(1.0));
+}
+
+fn box1SurfaceAt(p: vec3f) -> Surface {
+    return boxSurface(p, vec3f(-1.0), vec3f(1.0));
+}
+
+/// objects[2] "Torus 2": Torus()
+fn torus2Crossing(ray: Ray) -> f32 {
+    return torus(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25);
+}
+
+fn torus2SurfaceAt(p: vec3f) -> Surface {
+    return torusSurface(p, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25);
+}
+
+/// objects[3] "Plane 3": Plane()
+fn plane3Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn plane3SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_SPHERE_0: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        case OBJECT_BOX_1: {
-            return placed(boxSurface(p, vec3f(-1.0), vec3f(1.0)), p);
-        }
-        case OBJECT_TORUS_2: {
-            return placed(torusSurface(p, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25), p);
-        }
-        case OBJECT_PLANE_3: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_SPHERE_0: { return placed(sphere0SurfaceAt(p), p); }
+        case OBJECT_BOX_1: { return placed(box1SurfaceAt(p), p); }
+        case OBJECT_TORUS_2: { return placed(torus2SurfaceAt(p), p); }
+        case OBJECT_PLANE_3: { return placed(plane3SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -66,14 +88,17 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "clay": (color: "#c96f4a")
 fn clayMaterial(at: Surface) -> Material {
     return matte(vec3f(0.58407843, 0.15896083, 0.068478175));
 }
 
+/// material "Torus 2": (color: "gold")
 fn torus2Material(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.6795425, 0.0));
 }
 
+/// material "Plane 3"
 fn plane3Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }

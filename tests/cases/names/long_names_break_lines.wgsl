@@ -13,22 +13,9 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "a box with a name that is longer than a line of the shader, so that it has to be…
     hit = nearer(
         hit,
-        roundedBox(
-            rayInto(
-                Space(
-                    vec4f(0.6798643, 0.46844482, -0.35825148, -0.5419995),
-                    vec4f(-0.21788062, 0.38371566, 0.08826303, -0.8143398),
-                    vec4f(0.13245411, 0.013369759, 0.26884416, -0.96572614),
-                ),
-                ray,
-            ),
-            vec3f(-1.2345679, -2.3456788, -3.456789),
-            vec3f(1.2345679, 2.3456788, 3.456789),
-            0.12345679,
-        ),
+        aBoxWithANameThatIsLongeCrossing(rayInto(aBoxWithANameThatIsLongeSpace(), ray)),
         OBJECT_A_BOX_WITH_A_NAME_THAT_I,
     );
     return hit;
@@ -36,45 +23,50 @@ fn rayTraceScene(ray: Ray) -> Hit {
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if roundedBox(
-        rayInto(
-            Space(
-                vec4f(0.6798643, 0.46844482, -0.35825148, -0.5419995),
-                vec4f(-0.21788062, 0.38371566, 0.08826303, -0.8143398),
-                vec4f(0.13245411, 0.013369759, 0.26884416, -0.96572614),
-            ),
-            ray,
-        ),
+    if aBoxWithANameThatIsLongeCrossing(
+        rayInto(aBoxWithANameThatIsLongeSpace(), ray),
+    ) < NO_HIT { return true; }
+    return false;
+}
+
+/// objects[0] "a box with a name that is longer than a line of the shader, so that it has to be cu…
+fn aBoxWithANameThatIsLongeCrossing(ray: Ray) -> f32 {
+    return roundedBox(
+        ray,
         vec3f(-1.2345679, -2.3456788, -3.456789),
         vec3f(1.2345679, 2.3456788, 3.456789),
         0.12345679,
-    ) < NO_HIT { return true; }
-    return false;
+    );
+}
+
+fn aBoxWithANameThatIsLongeSurfaceAt(p: vec3f) -> Surface {
+    return roundedBoxSurface(
+        p,
+        vec3f(-1.2345679, -2.3456788, -3.456789),
+        vec3f(1.2345679, 2.3456788, 3.456789),
+        0.12345679,
+    );
+}
+
+fn aBoxWithANameThatIsLongeSpace() -> Space {
+    return Space(
+        vec4f(0.6798643, 0.46844482, -0.35825148, -0.5419995),
+        vec4f(-0.21788062, 0.38371566, 0.08826303, -0.8143398),
+        vec4f(0.13245411, 0.013369759, 0.26884416, -0.96572614),
+    );
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_A_BOX_WITH_A_NAME_THAT_I: {
-            let space = Space(
-                vec4f(0.6798643, 0.46844482, -0.35825148, -0.5419995),
-                vec4f(-0.21788062, 0.38371566, 0.08826303, -0.8143398),
-                vec4f(0.13245411, 0.013369759, 0.26884416, -0.96572614),
-            );
             return placedFrom(
-                space,
-                roundedBoxSurface(
-                    pointInto(space, p),
-                    vec3f(-1.2345679, -2.3456788, -3.456789),
-                    vec3f(1.2345679, 2.3456788, 3.456789),
-                    0.12345679,
-                ),
+                aBoxWithANameThatIsLongeSpace(),
+                aBoxWithANameThatIsLongeSurfaceAt(pointInto(aBoxWithANameThatIsLongeSpace(), p)),
                 p,
             );
         }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -86,6 +78,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "a material with a name that nobody would ever want to type, but that somebody will ty…
 fn aMaterialWithANameThatNoMaterial(at: Surface) -> Material {
     return matte(thePatternOfTheTilesOnThTexture(at));
 }
@@ -109,7 +102,7 @@ fn ambientLight() -> vec3f {
     return vec3f(0.1);
 }
 
-/// textures: "the pattern of the tiles on the terrace behind the summer house of my grandmother's …
+/// texture "the pattern of the tiles on the terrace behind the summer house of my grandmother's si…
 fn thePatternOfTheTilesOnThTexture(at: Surface) -> vec3f {
     return checker(
         at,

@@ -13,93 +13,70 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Torus 0": Torus(bounds: (min: (-1.25, -0.25, -1.25), max: (1.25, 0.25, 1.25)))
-    if meetsBounds(ray, vec3f(-1.25, -0.25, -1.25), vec3f(1.25, 0.25, 1.25)) {
-        hit = nearer(hit, torus(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25), OBJECT_TORUS_0);
+    if torus0InReach(ray) {
+        hit = nearer(hit, torus0Crossing(ray), OBJECT_TORUS_0);
     }
-    // objects[1] "moved": Torus(translate: (3, 0, 0), rotate_deg: (0, 0, 90), bounds: (min: (-1.25…
-    if meetsBounds(
-        rayInto(
-            Space(vec4f(0.0, 1.0, 0.0, 0.0), vec4f(-1.0, 0.0, 0.0, 3.0), vec4f(0.0, 0.0, 1.0, 0.0)),
-            ray,
-        ),
-        vec3f(-1.25, -0.25, -1.25),
-        vec3f(1.25, 0.25, 1.25),
-    ) {
-        hit = nearer(
-            hit,
-            torus(
-                rayInto(
-                    Space(
-                        vec4f(0.0, 1.0, 0.0, 0.0),
-                        vec4f(-1.0, 0.0, 0.0, 3.0),
-                        vec4f(0.0, 0.0, 1.0, 0.0),
-                    ),
-                    ray,
-                ),
-                vec3f(0.0),
-                vec3f(0.0, 1.0, 0.0),
-                1.0,
-                0.25,
-            ),
-            OBJECT_MOVED,
-        );
+    if movedInReach(ray) {
+        hit = nearer(hit, movedCrossing(rayInto(movedSpace(), ray)), OBJECT_MOVED);
     }
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if meetsBounds(ray, vec3f(-1.25, -0.25, -1.25), vec3f(1.25, 0.25, 1.25)) {
-        if torus(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25) < NO_HIT { return true; }
+    if torus0InReach(ray) {
+        if torus0Crossing(ray) < NO_HIT { return true; }
     }
-    if meetsBounds(
-        rayInto(
-            Space(vec4f(0.0, 1.0, 0.0, 0.0), vec4f(-1.0, 0.0, 0.0, 3.0), vec4f(0.0, 0.0, 1.0, 0.0)),
-            ray,
-        ),
-        vec3f(-1.25, -0.25, -1.25),
-        vec3f(1.25, 0.25, 1.25),
-    ) {
-        if torus(
-            rayInto(
-                Space(
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(-1.0, 0.0, 0.0, 3.0),
-                    vec4f(0.0, 0.0, 1.0, 0.0),
-                ),
-                ray,
-            ),
-            vec3f(0.0),
-            vec3f(0.0, 1.0, 0.0),
-            1.0,
-            0.25,
-        ) < NO_HIT { return true; }
+    if movedInReach(ray) {
+        if movedCrossing(rayInto(movedSpace(), ray)) < NO_HIT { return true; }
     }
     return false;
+}
+
+/// objects[0] "Torus 0": Torus(bounds: (min: (-1.25, -0.25, -1.25), max: (1.25, 0.25, 1.25)))
+fn torus0Crossing(ray: Ray) -> f32 {
+    return torus(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25);
+}
+
+fn torus0SurfaceAt(p: vec3f) -> Surface {
+    return torusSurface(p, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25);
+}
+
+/// objects[1] "moved": Torus(translate: (3, 0, 0), rotate_deg: (0, 0, 90), bounds: (min: (-1.25, -…
+fn movedCrossing(ray: Ray) -> f32 {
+    return torus(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25);
+}
+
+fn movedSurfaceAt(p: vec3f) -> Surface {
+    return torusSurface(p, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25);
+}
+
+fn movedSpace() -> Space {
+    return Space(vec4f(0.0, 1.0, 0.0, 0.0), vec4f(-1.0, 0.0, 0.0, 3.0), vec4f(0.0, 0.0, 1.0, 0.0));
+}
+
+/// Whether `ray` meets the bounds of "Torus 0".
+fn torus0InReach(ray: Ray) -> bool {
+    return meetsBounds(ray, vec3f(-1.25, -0.25, -1.25), vec3f(1.25, 0.25, 1.25));
+}
+
+/// Whether `ray` meets the bounds of "moved".
+fn movedInReach(ray: Ray) -> bool {
+    return meetsBounds(
+        rayInto(movedSpace(), ray),
+        vec3f(-1.25, -0.25, -1.25),
+        vec3f(1.25, 0.25, 1.25),
+    );
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_TORUS_0: {
-            return placed(torusSurface(p, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25), p);
-        }
+        case OBJECT_TORUS_0: { return placed(torus0SurfaceAt(p), p); }
         case OBJECT_MOVED: {
-            let space = Space(
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(-1.0, 0.0, 0.0, 3.0),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            );
-            return placedFrom(
-                space,
-                torusSurface(pointInto(space, p), vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25),
-                p,
-            );
+            return placedFrom(movedSpace(), movedSurfaceAt(pointInto(movedSpace(), p)), p);
         }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -112,10 +89,12 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Torus 0"
 fn torus0Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "moved"
 fn movedMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }

@@ -15,184 +15,110 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "moved": Box(translate: (-3, 0, 0), scale: 0.7)
-    hit = nearer(
-        hit,
-        box(
-            rayInto(
-                Space(
-                    vec4f(1.4285715, 0.0, 0.0, 4.285714),
-                    vec4f(0.0, 1.4285715, 0.0, 0.0),
-                    vec4f(0.0, 0.0, 1.4285715, 0.0),
-                ),
-                ray,
-            ),
-            vec3f(-1.0),
-            vec3f(1.0),
-        ),
-        OBJECT_MOVED,
-    );
-    // objects[1] "turned": Box(rotate_deg: (30, 45, 0), scale: (1, 0.4, 0.6))
-    hit = nearer(
-        hit,
-        box(
-            rayInto(
-                Space(
-                    vec4f(0.70710677, 0.0, -0.70710677, 0.0),
-                    vec4f(0.8838835, 2.1650634, 0.8838835, 0.0),
-                    vec4f(1.0206207, -0.8333333, 1.0206207, 0.0),
-                ),
-                ray,
-            ),
-            vec3f(-1.0),
-            vec3f(1.0),
-        ),
-        OBJECT_TURNED,
-    );
-    // objects[2] "mirrored": Cone(translate: (2.6, 1, 0), scale: (0.8, -1.6, 0.8))
-    hit = nearer(
-        hit,
-        cone(
-            rayInto(
-                Space(
-                    vec4f(1.25, 0.0, 0.0, -3.25),
-                    vec4f(0.0, -0.625, 0.0, 0.625),
-                    vec4f(0.0, 0.0, 1.25, 0.0),
-                ),
-                ray,
-            ),
-            vec3f(0.0),
-            vec3f(0.0, 1.0, 0.0),
-            1.0,
-            0.0,
-        ),
-        OBJECT_MIRRORED,
-    );
-    // objects[3] "stretched": Torus(translate: (0.4, 1.9, 0), rotate_deg: (90, 0, 20), scale: (2, …
-    hit = nearer(
-        hit,
-        torus(
-            rayInto(
-                Space(
-                    vec4f(0.4698463, 0.17101008, 0.0, -0.5128577),
-                    vec4f(0.0, 0.0, 1.0, 0.0),
-                    vec4f(0.6840403, -1.8793852, 0.0, 3.297216),
-                ),
-                ray,
-            ),
-            vec3f(0.0),
-            vec3f(0.0, 1.0, 0.0),
-            1.0,
-            0.25,
-        ),
-        OBJECT_STRETCHED,
-    );
+    hit = nearer(hit, movedCrossing(rayInto(movedSpace(), ray)), OBJECT_MOVED);
+    hit = nearer(hit, turnedCrossing(rayInto(turnedSpace(), ray)), OBJECT_TURNED);
+    hit = nearer(hit, mirroredCrossing(rayInto(mirroredSpace(), ray)), OBJECT_MIRRORED);
+    hit = nearer(hit, stretchedCrossing(rayInto(stretchedSpace(), ray)), OBJECT_STRETCHED);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if box(
-        rayInto(
-            Space(
-                vec4f(1.4285715, 0.0, 0.0, 4.285714),
-                vec4f(0.0, 1.4285715, 0.0, 0.0),
-                vec4f(0.0, 0.0, 1.4285715, 0.0),
-            ),
-            ray,
-        ),
-        vec3f(-1.0),
-        vec3f(1.0),
-    ) < NO_HIT { return true; }
-    if box(
-        rayInto(
-            Space(
-                vec4f(0.70710677, 0.0, -0.70710677, 0.0),
-                vec4f(0.8838835, 2.1650634, 0.8838835, 0.0),
-                vec4f(1.0206207, -0.8333333, 1.0206207, 0.0),
-            ),
-            ray,
-        ),
-        vec3f(-1.0),
-        vec3f(1.0),
-    ) < NO_HIT { return true; }
-    if cone(
-        rayInto(
-            Space(
-                vec4f(1.25, 0.0, 0.0, -3.25),
-                vec4f(0.0, -0.625, 0.0, 0.625),
-                vec4f(0.0, 0.0, 1.25, 0.0),
-            ),
-            ray,
-        ),
-        vec3f(0.0),
-        vec3f(0.0, 1.0, 0.0),
-        1.0,
-        0.0,
-    ) < NO_HIT { return true; }
-    if torus(
-        rayInto(
-            Space(
-                vec4f(0.4698463, 0.17101008, 0.0, -0.5128577),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-                vec4f(0.6840403, -1.8793852, 0.0, 3.297216),
-            ),
-            ray,
-        ),
-        vec3f(0.0),
-        vec3f(0.0, 1.0, 0.0),
-        1.0,
-        0.25,
-    ) < NO_HIT { return true; }
+    if movedCrossing(rayInto(movedSpace(), ray)) < NO_HIT { return true; }
+    if turnedCrossing(rayInto(turnedSpace(), ray)) < NO_HIT { return true; }
+    if mirroredCrossing(rayInto(mirroredSpace(), ray)) < NO_HIT { return true; }
+    if stretchedCrossing(rayInto(stretchedSpace(), ray)) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "moved": Box(translate: (-3, 0, 0), scale: 0.7)
+fn movedCrossing(ray: Ray) -> f32 {
+    return box(ray, vec3f(-1.0), vec3f(1.0));
+}
+
+fn movedSurfaceAt(p: vec3f) -> Surface {
+    return boxSurface(p, vec3f(-1.0), vec3f(1.0));
+}
+
+fn movedSpace() -> Space {
+    return Space(
+        vec4f(1.4285715, 0.0, 0.0, 4.285714),
+        vec4f(0.0, 1.4285715, 0.0, 0.0),
+        vec4f(0.0, 0.0, 1.4285715, 0.0),
+    );
+}
+
+/// objects[1] "turned": Box(rotate_deg: (30, 45, 0), scale: (1, 0.4, 0.6))
+fn turnedCrossing(ray: Ray) -> f32 {
+    return box(ray, vec3f(-1.0), vec3f(1.0));
+}
+
+fn turnedSurfaceAt(p: vec3f) -> Surface {
+    return boxSurface(p, vec3f(-1.0), vec3f(1.0));
+}
+
+fn turnedSpace() -> Space {
+    return Space(
+        vec4f(0.70710677, 0.0, -0.70710677, 0.0),
+        vec4f(0.8838835, 2.1650634, 0.8838835, 0.0),
+        vec4f(1.0206207, -0.8333333, 1.0206207, 0.0),
+    );
+}
+
+/// objects[2] "mirrored": Cone(translate: (2.6, 1, 0), scale: (0.8, -1.6, 0.8))
+fn mirroredCrossing(ray: Ray) -> f32 {
+    return cone(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.0);
+}
+
+fn mirroredSurfaceAt(p: vec3f) -> Surface {
+    return coneSurface(p, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.0);
+}
+
+fn mirroredSpace() -> Space {
+    return Space(
+        vec4f(1.25, 0.0, 0.0, -3.25),
+        vec4f(0.0, -0.625, 0.0, 0.625),
+        vec4f(0.0, 0.0, 1.25, 0.0),
+    );
+}
+
+/// objects[3] "stretched": Torus(translate: (0.4, 1.9, 0), rotate_deg: (90, 0, 20), scale: (2, 1, …
+fn stretchedCrossing(ray: Ray) -> f32 {
+    return torus(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25);
+}
+
+fn stretchedSurfaceAt(p: vec3f) -> Surface {
+    return torusSurface(p, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25);
+}
+
+fn stretchedSpace() -> Space {
+    return Space(
+        vec4f(0.4698463, 0.17101008, 0.0, -0.5128577),
+        vec4f(0.0, 0.0, 1.0, 0.0),
+        vec4f(0.6840403, -1.8793852, 0.0, 3.297216),
+    );
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_MOVED: {
-            let space = Space(
-                vec4f(1.4285715, 0.0, 0.0, 4.285714),
-                vec4f(0.0, 1.4285715, 0.0, 0.0),
-                vec4f(0.0, 0.0, 1.4285715, 0.0),
-            );
-            return placedFrom(space, boxSurface(pointInto(space, p), vec3f(-1.0), vec3f(1.0)), p);
+            return placedFrom(movedSpace(), movedSurfaceAt(pointInto(movedSpace(), p)), p);
         }
         case OBJECT_TURNED: {
-            let space = Space(
-                vec4f(0.70710677, 0.0, -0.70710677, 0.0),
-                vec4f(0.8838835, 2.1650634, 0.8838835, 0.0),
-                vec4f(1.0206207, -0.8333333, 1.0206207, 0.0),
-            );
-            return placedFrom(space, boxSurface(pointInto(space, p), vec3f(-1.0), vec3f(1.0)), p);
+            return placedFrom(turnedSpace(), turnedSurfaceAt(pointInto(turnedSpace(), p)), p);
         }
         case OBJECT_MIRRORED: {
-            let space = Space(
-                vec4f(1.25, 0.0, 0.0, -3.25),
-                vec4f(0.0, -0.625, 0.0, 0.625),
-                vec4f(0.0, 0.0, 1.25, 0.0),
-            );
-            return placedFrom(
-                space,
-                coneSurface(pointInto(space, p), vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.0),
-                p,
-            );
+            return placedFrom(mirroredSpace(), mirroredSurfaceAt(pointInto(mirroredSpace(), p)), p);
         }
         case OBJECT_STRETCHED: {
-            let space = Space(
-                vec4f(0.4698463, 0.17101008, 0.0, -0.5128577),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-                vec4f(0.6840403, -1.8793852, 0.0, 3.297216),
-            );
             return placedFrom(
-                space,
-                torusSurface(pointInto(space, p), vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25),
+                stretchedSpace(),
+                stretchedSurfaceAt(pointInto(stretchedSpace(), p)),
                 p,
             );
         }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -207,18 +133,22 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "moved": (color: "tomato")
 fn movedMaterial(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.12477182, 0.06301002));
 }
 
+/// material "turned": (color: "gold")
 fn turnedMaterial(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.6795425, 0.0));
 }
 
+/// material "mirrored": (color: "skyblue")
 fn mirroredMaterial(at: Surface) -> Material {
     return matte(vec3f(0.24228115, 0.6172066, 0.8307699));
 }
 
+/// material "stretched": (color: "plum")
 fn stretchedMaterial(at: Surface) -> Material {
     return matte(vec3f(0.7230551, 0.35153264, 0.7230551));
 }

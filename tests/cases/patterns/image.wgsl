@@ -14,50 +14,54 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Plane 0": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
-    // objects[1] "Quad 1": Quad(corner: (-1.2, 0.05, 0), u: (1.4, 0, 0), v: (0, 1.05, 0))
-    hit = nearer(
-        hit,
-        quad(ray, vec3f(-1.2, 0.05, 0.0), vec3f(1.4, 0.0, 0.0), vec3f(0.0, 1.05, 0.0)),
-        OBJECT_QUAD_1,
-    );
-    // objects[2] "Sphere 2": Sphere(center: (1.2, 0.6, 0), radius: 0.6)
-    hit = nearer(hit, sphere(ray, vec3f(1.2, 0.6, 0.0), 0.6), OBJECT_SPHERE_2);
+    hit = nearer(hit, plane0Crossing(ray), OBJECT_PLANE_0);
+    hit = nearer(hit, quad1Crossing(ray), OBJECT_QUAD_1);
+    hit = nearer(hit, sphere2Crossing(ray), OBJECT_SPHERE_2);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
-    if quad(
-        ray,
-        vec3f(-1.2, 0.05, 0.0),
-        vec3f(1.4, 0.0, 0.0),
-        vec3f(0.0, 1.05, 0.0),
-    ) < NO_HIT { return true; }
-    if sphere(ray, vec3f(1.2, 0.6, 0.0), 0.6) < NO_HIT { return true; }
+    if plane0Crossing(ray) < NO_HIT { return true; }
+    if quad1Crossing(ray) < NO_HIT { return true; }
+    if sphere2Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Plane 0": Plane()
+fn plane0Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn plane0SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// objects[1] "Quad 1": Quad(corner: (-1.2, 0.05, 0), u: (1.4, 0, 0), v: (0, 1.05, 0))
+fn quad1Crossing(ray: Ray) -> f32 {
+    return quad(ray, vec3f(-1.2, 0.05, 0.0), vec3f(1.4, 0.0, 0.0), vec3f(0.0, 1.05, 0.0));
+}
+
+fn quad1SurfaceAt(p: vec3f) -> Surface {
+    return quadSurface(p, vec3f(-1.2, 0.05, 0.0), vec3f(1.4, 0.0, 0.0), vec3f(0.0, 1.05, 0.0));
+}
+
+/// objects[2] "Sphere 2": Sphere(center: (1.2, 0.6, 0), radius: 0.6)
+fn sphere2Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(1.2, 0.6, 0.0), 0.6);
+}
+
+fn sphere2SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(1.2, 0.6, 0.0), 0.6);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
-        case OBJECT_QUAD_1: {
-            return placed(
-                quadSurface(p, vec3f(-1.2, 0.05, 0.0), vec3f(1.4, 0.0, 0.0), vec3f(0.0, 1.05, 0.0)),
-                p,
-            );
-        }
-        case OBJECT_SPHERE_2: {
-            return placed(sphereSurface(p, vec3f(1.2, 0.6, 0.0), 0.6), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_PLANE_0: { return placed(plane0SurfaceAt(p), p); }
+        case OBJECT_QUAD_1: { return placed(quad1SurfaceAt(p), p); }
+        case OBJECT_SPHERE_2: { return placed(sphere2SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -74,14 +78,17 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Plane 0": (color: Image(file: "photo.jpg", width: 0.8))
 fn plane0Material(at: Surface) -> Material {
     return matte(imageColor(image0, at, 0.8, true));
 }
 
+/// material "Quad 1": (color: Image(file: "photo.jpg", width: 1.4, repeat: false))
 fn quad1Material(at: Surface) -> Material {
     return matte(imageColor(image0, at, 1.4, false));
 }
 
+/// material "Sphere 2": (color: Triplanar(of: Image(file: "photo.jpg", width: 0.6)))
 fn sphere2Material(at: Surface) -> Material {
     var sides1 = vec3f(0.0);
     for (var side = 0u; side < 3u; side++) {

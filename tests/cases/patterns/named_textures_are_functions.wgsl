@@ -14,32 +14,42 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Sphere 0": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_SPHERE_0);
-    // objects[1] "Box 1": Box()
-    hit = nearer(hit, box(ray, vec3f(-1.0), vec3f(1.0)), OBJECT_BOX_1);
+    hit = nearer(hit, sphere0Crossing(ray), OBJECT_SPHERE_0);
+    hit = nearer(hit, box1Crossing(ray), OBJECT_BOX_1);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
-    if box(ray, vec3f(-1.0), vec3f(1.0)) < NO_HIT { return true; }
+    if sphere0Crossing(ray) < NO_HIT { return true; }
+    if box1Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Sphere 0": Sphere()
+fn sphere0Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn sphere0SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
+}
+
+/// objects[1] "Box 1": Box()
+fn box1Crossing(ray: Ray) -> f32 {
+    return box(ray, vec3f(-1.0), vec3f(1.0));
+}
+
+fn box1SurfaceAt(p: vec3f) -> Surface {
+    return boxSurface(p, vec3f(-1.0), vec3f(1.0));
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_SPHERE_0: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        case OBJECT_BOX_1: {
-            return placed(boxSurface(p, vec3f(-1.0), vec3f(1.0)), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_SPHERE_0: { return placed(sphere0SurfaceAt(p), p); }
+        case OBJECT_BOX_1: { return placed(box1SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -52,6 +62,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Sphere 0": (color: "board", specular: "grain")
 fn sphere0Material(at: Surface) -> Material {
     let shared1 = grainTexture(at);
     var material = matte(
@@ -69,6 +80,7 @@ fn sphere0Material(at: Surface) -> Material {
     return material;
 }
 
+/// material "Box 1": (color: "same board", bump: (height: "grain"))
 fn box1Material(at: Surface) -> Material {
     return matte(sameBoardTexture(at));
 }
@@ -107,12 +119,12 @@ fn ambientLight() -> vec3f {
     return vec3f(0.1);
 }
 
-/// textures: "grain"
+/// texture "grain": Noise(scale: 20)
 fn grainTexture(at: Surface) -> f32 {
     return noise(at, 20.0);
 }
 
-/// textures: "board"
+/// texture "board": Wood(scale: 6, dark: "grain")
 fn boardTexture(at: Surface) -> vec3f {
     return wood(
         at,
@@ -125,12 +137,12 @@ fn boardTexture(at: Surface) -> vec3f {
     );
 }
 
-/// textures: "same board"
+/// texture "same board"
 fn sameBoardTexture(at: Surface) -> vec3f {
     return boardTexture(at);
 }
 
-/// textures: "plain"
+/// texture "plain"
 fn plainTexture(at: Surface) -> vec3f {
     return vec3f(1.0, 0.12477182, 0.06301002);
 }

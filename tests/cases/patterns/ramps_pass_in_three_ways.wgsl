@@ -14,32 +14,42 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Plane 0": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
-    // objects[1] "Sphere 1": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_SPHERE_1);
+    hit = nearer(hit, plane0Crossing(ray), OBJECT_PLANE_0);
+    hit = nearer(hit, sphere1Crossing(ray), OBJECT_SPHERE_1);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
+    if plane0Crossing(ray) < NO_HIT { return true; }
+    if sphere1Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Plane 0": Plane()
+fn plane0Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn plane0SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// objects[1] "Sphere 1": Sphere()
+fn sphere1Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn sphere1SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
-        case OBJECT_SPHERE_1: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_PLANE_0: { return placed(plane0SurfaceAt(p), p); }
+        case OBJECT_SPHERE_1: { return placed(sphere1SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -52,6 +62,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Plane 0": (color: Ramp(by: Noise(), stops: [(0.3, "#000"), (0.5, "tomato"), (0.7, "#f…
 fn plane0Material(at: Surface) -> Material {
     let by1 = noise(at, 1.5);
     var ramp2 = vec3f(0.0);
@@ -60,6 +71,7 @@ fn plane0Material(at: Surface) -> Material {
     return matte(ramp2);
 }
 
+/// material "Sphere 1": (color: Ramp(by: Noise(), stops: [(0.3, "#000"), (0.5, "tomato")], interpo…
 fn sphere1Material(at: Surface) -> Material {
     let by1 = noise(at, 1.5);
     var ramp2 = vec3f(0.0);

@@ -15,73 +15,60 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Plane 0": Plane(offset: -1)
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), -1.0), OBJECT_PLANE_0);
-    // objects[1] "ball": Sphere()
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_BALL);
-    // objects[2] "ring": Torus(translate: (0, 0, 2))
-    hit = nearer(
-        hit,
-        torus(
-            rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, 0.0),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.0, 0.0, 1.0, -2.0),
-                ),
-                ray,
-            ),
-            vec3f(0.0),
-            vec3f(0.0, 1.0, 0.0),
-            1.0,
-            0.25,
-        ),
-        OBJECT_RING,
-    );
+    hit = nearer(hit, plane0Crossing(ray), OBJECT_PLANE_0);
+    hit = nearer(hit, ballCrossing(ray), OBJECT_BALL);
+    hit = nearer(hit, ringCrossing(rayInto(ringSpace(), ray)), OBJECT_RING);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), -1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
-    if torus(
-        rayInto(
-            Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, -2.0)),
-            ray,
-        ),
-        vec3f(0.0),
-        vec3f(0.0, 1.0, 0.0),
-        1.0,
-        0.25,
-    ) < NO_HIT { return true; }
+    if plane0Crossing(ray) < NO_HIT { return true; }
+    if ballCrossing(ray) < NO_HIT { return true; }
+    if ringCrossing(rayInto(ringSpace(), ray)) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Plane 0": Plane(offset: -1)
+fn plane0Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), -1.0);
+}
+
+fn plane0SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), -1.0);
+}
+
+/// objects[1] "ball": Sphere()
+fn ballCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn ballSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
+}
+
+/// objects[2] "ring": Torus(translate: (0, 0, 2))
+fn ringCrossing(ray: Ray) -> f32 {
+    return torus(ray, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25);
+}
+
+fn ringSurfaceAt(p: vec3f) -> Surface {
+    return torusSurface(p, vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25);
+}
+
+fn ringSpace() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, 1.0, -2.0));
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), -1.0), p);
-        }
-        case OBJECT_BALL: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
+        case OBJECT_PLANE_0: { return placed(plane0SurfaceAt(p), p); }
+        case OBJECT_BALL: { return placed(ballSurfaceAt(p), p); }
         case OBJECT_RING: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, 0.0),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.0, 0.0, 1.0, -2.0),
-            );
-            return placedFrom(
-                space,
-                torusSurface(pointInto(space, p), vec3f(0.0), vec3f(0.0, 1.0, 0.0), 1.0, 0.25),
-                p,
-            );
+            return placedFrom(ringSpace(), ringSurfaceAt(pointInto(ringSpace(), p)), p);
         }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -95,10 +82,12 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Plane 0"
 fn plane0Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "ball": (color: Triplanar(of: "bricks", sharpness: 8))
 fn ballMaterial(at: Surface) -> Material {
     var sides1 = vec3f(0.0);
     for (var side = 0u; side < 3u; side++) {
@@ -109,6 +98,7 @@ fn ballMaterial(at: Surface) -> Material {
     return matte(sides1);
 }
 
+/// material "ring": (color: Triplanar(at: Rotate(), of: Ramp(by: Dots(), stops: [(0, "#234"), (1, …
 fn ringMaterial(at: Surface) -> Material {
     let at1 = rotate(at, vec3f(0.0, 30.0, 0.0));
     var sides2 = vec3f(0.0);
@@ -183,7 +173,7 @@ fn ambientLight() -> vec3f {
     return vec3f(0.1);
 }
 
-/// textures: "bricks"
+/// texture "bricks": Brick(scale: 3)
 fn bricksTexture(at: Surface) -> vec3f {
     return brick(
         at,

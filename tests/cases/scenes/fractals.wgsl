@@ -18,108 +18,137 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "ground": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_GROUND);
-    // objects[1] "sponge": MengerSponge(center: (-1.55, 0.86, -0.4), size: 1.7, rotate_deg: (0, 18…
-    hit = nearer(
-        hit,
-        mengerSponge(
-            rayInto(
-                Space(
-                    vec4f(0.95105654, 0.0, -0.309017, 0.0),
-                    vec4f(0.0, 1.0, 0.0, 0.0),
-                    vec4f(0.309017, 0.0, 0.95105654, 0.0),
-                ),
-                ray,
-            ),
-            vec3f(-1.55, 0.86, -0.4),
-            1.7,
-            3u,
-        ),
-        OBJECT_SPONGE,
-    );
-    // objects[2] "bulb": Mandelbulb(center: (0.75, 0.95, -1.3), size: 1.05)
-    hit = nearer(hit, mandelbulb(ray, vec3f(0.75, 0.95, -1.3), 1.05, 8.0, 5u), OBJECT_BULB);
-    // objects[3] "gyroid": Gyroid(center: (0.35, 0.6, 1.2), radius: 0.6, period: 0.62, thickness: …
-    hit = nearer(hit, gyroid(ray, vec3f(0.35, 0.6, 1.2), 0.6, 0.62, 0.05), OBJECT_GYROID);
-    // "bitten": Difference(translate: (2.1, 0.6, 0.2))
+    hit = nearer(hit, groundCrossing(ray), OBJECT_GROUND);
+    hit = nearer(hit, spongeCrossing(rayInto(spongeSpace(), ray)), OBJECT_SPONGE);
+    hit = nearer(hit, bulbCrossing(ray), OBJECT_BULB);
+    hit = nearer(hit, gyroidCrossing(ray), OBJECT_GYROID);
     hit = nearerCrossing(hit, bittenSolid(ray));
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
-    if mengerSponge(
-        rayInto(
-            Space(
-                vec4f(0.95105654, 0.0, -0.309017, 0.0),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.309017, 0.0, 0.95105654, 0.0),
-            ),
-            ray,
-        ),
-        vec3f(-1.55, 0.86, -0.4),
-        1.7,
-        3u,
-    ) < NO_HIT { return true; }
-    if mandelbulb(ray, vec3f(0.75, 0.95, -1.3), 1.05, 8.0, 5u) < NO_HIT { return true; }
-    if gyroid(ray, vec3f(0.35, 0.6, 1.2), 0.6, 0.62, 0.05) < NO_HIT { return true; }
+    if groundCrossing(ray) < NO_HIT { return true; }
+    if spongeCrossing(rayInto(spongeSpace(), ray)) < NO_HIT { return true; }
+    if bulbCrossing(ray) < NO_HIT { return true; }
+    if gyroidCrossing(ray) < NO_HIT { return true; }
     if bittenSolid(ray).t < NO_HIT { return true; }
     return false;
 }
 
-/// "bitten": Difference(translate: (2.1, 0.6, 0.2))
+/// objects[0] "ground": Plane()
+fn groundCrossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn groundSurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// objects[1] "sponge": MengerSponge(center: (-1.55, 0.86, -0.4), size: 1.7, rotate_deg: (0, 18, 0…
+fn spongeCrossing(ray: Ray) -> f32 {
+    return mengerSponge(ray, vec3f(-1.55, 0.86, -0.4), 1.7, 3u);
+}
+
+fn spongeSurfaceAt(p: vec3f) -> Surface {
+    return mengerSpongeSurface(p, vec3f(-1.55, 0.86, -0.4), 1.7, 3u);
+}
+
+fn spongeSpace() -> Space {
+    return Space(
+        vec4f(0.95105654, 0.0, -0.309017, 0.0),
+        vec4f(0.0, 1.0, 0.0, 0.0),
+        vec4f(0.309017, 0.0, 0.95105654, 0.0),
+    );
+}
+
+/// objects[2] "bulb": Mandelbulb(center: (0.75, 0.95, -1.3), size: 1.05)
+fn bulbCrossing(ray: Ray) -> f32 {
+    return mandelbulb(ray, vec3f(0.75, 0.95, -1.3), 1.05, 8.0, 5u);
+}
+
+fn bulbSurfaceAt(p: vec3f) -> Surface {
+    return mandelbulbSurface(p, vec3f(0.75, 0.95, -1.3), 1.05, 8.0, 5u);
+}
+
+/// objects[3] "gyroid": Gyroid(center: (0.35, 0.6, 1.2), radius: 0.6, period: 0.62, thickness: 0.0…
+fn gyroidCrossing(ray: Ray) -> f32 {
+    return gyroid(ray, vec3f(0.35, 0.6, 1.2), 0.6, 0.62, 0.05);
+}
+
+fn gyroidSurfaceAt(p: vec3f) -> Surface {
+    return gyroidSurface(p, vec3f(0.35, 0.6, 1.2), 0.6, 0.62, 0.05);
+}
+
+/// "bitten SmoothBalls 0": SmoothBalls(a: (-0.3, 0, 0), b: (0.45, 0.2, 0), radius_a: 0.6, radius_b…
+fn bittenSmoothBalls0Crossing(ray: Ray) -> f32 {
+    return smoothBalls(ray, vec3f(-0.3, 0.0, 0.0), vec3f(0.45, 0.2, 0.0), 0.6, 0.42, 0.4);
+}
+
+fn bittenSmoothBalls0SurfaceAt(p: vec3f) -> Surface {
+    return smoothBallsSurface(p, vec3f(-0.3, 0.0, 0.0), vec3f(0.45, 0.2, 0.0), 0.6, 0.42, 0.4);
+}
+
+fn bittenSmoothBalls0Space() -> Space {
+    return Space(
+        vec4f(1.0, 0.0, 0.0, -2.1),
+        vec4f(0.0, 1.0, 0.0, -0.6),
+        vec4f(0.0, 0.0, 1.0, -0.2),
+    );
+}
+
+/// "bite": MengerSponge(center: (0.2, 0.5, 0.5), size: 1, levels: 2)
+fn biteCrossing(ray: Ray) -> f32 {
+    return mengerSponge(ray, vec3f(0.2, 0.5, 0.5), 1.0, 2u);
+}
+
+fn biteSurfaceAt(p: vec3f) -> Surface {
+    return mengerSpongeSurface(p, vec3f(0.2, 0.5, 0.5), 1.0, 2u);
+}
+
+fn biteSpace() -> Space {
+    return Space(
+        vec4f(1.0, 0.0, 0.0, -2.1),
+        vec4f(0.0, 1.0, 0.0, -0.6),
+        vec4f(0.0, 0.0, 1.0, -0.2),
+    );
+}
+
+/// objects[4] "bitten": Difference(translate: (2.1, 0.6, 0.2))
 fn bittenSolid(ray: Ray) -> Crossing {
     var rest = ray;
-    var moved0 = rayInto(
-        Space(vec4f(1.0, 0.0, 0.0, -2.1), vec4f(0.0, 1.0, 0.0, -0.6), vec4f(0.0, 0.0, 1.0, -0.2)),
-        ray,
-    );
-    var smoothBalls0Part = notAsked();
-    var bitePart = notAsked();
+    var moved0 = rayInto(bittenSmoothBalls0Space(), ray);
+    var smoothballs_0_part = notAsked();
+    var bite_part = notAsked();
     for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if smoothBalls0Part.t <= rest.t_min {
-            let t = smoothBalls(
-                moved0,
-                vec3f(-0.3, 0.0, 0.0),
-                vec3f(0.45, 0.2, 0.0),
-                0.6,
-                0.42,
-                0.4,
-            );
-            let on = smoothBallsSurface(
-                pointAt(moved0, t),
-                vec3f(-0.3, 0.0, 0.0),
-                vec3f(0.45, 0.2, 0.0),
-                0.6,
-                0.42,
-                0.4,
-            );
-            smoothBalls0Part = crossing(
+        if smoothballs_0_part.t <= rest.t_min {
+            let t = bittenSmoothBalls0Crossing(moved0);
+            let on = bittenSmoothBalls0SurfaceAt(pointAt(moved0, t));
+            smoothballs_0_part = crossing(
                 moved0,
                 t,
                 OBJECT_BITTEN_SMOOTHBALLS_0,
                 on.geometric_normal,
             );
         }
-        if bitePart.t <= rest.t_min {
-            let t = mengerSponge(moved0, vec3f(0.2, 0.5, 0.5), 1.0, 2u);
-            let on = mengerSpongeSurface(pointAt(moved0, t), vec3f(0.2, 0.5, 0.5), 1.0, 2u);
-            bitePart = crossing(moved0, t, OBJECT_BITE, on.geometric_normal);
+        if bite_part.t <= rest.t_min {
+            let t = biteCrossing(moved0);
+            let on = biteSurfaceAt(pointAt(moved0, t));
+            bite_part = crossing(moved0, t, OBJECT_BITE, on.geometric_normal);
         }
-        let t = min(smoothBalls0Part.t, bitePart.t);
+        let t = min(smoothballs_0_part.t, bite_part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
-        let smoothBalls0Turns = smoothBalls0Part.t <= rest.t_min;
-        let biteTurns = bitePart.t <= rest.t_min;
-        let before = smoothBalls0Part.leaves && !bitePart.leaves;
-        let behind = smoothBalls0Part.leaves != smoothBalls0Turns && bitePart.leaves == biteTurns;
+        let smoothballs_0_turns = smoothballs_0_part.t <= rest.t_min;
+        let bite_turns = bite_part.t <= rest.t_min;
+        let before = smoothballs_0_part.leaves && !bite_part.leaves;
+        let behind = smoothballs_0_part.leaves != smoothballs_0_turns
+            && bite_part.leaves == bite_turns;
         if before != behind {
             return Crossing(
                 t,
-                select(bitePart.object, smoothBalls0Part.object, smoothBalls0Turns),
+                select(bite_part.object, smoothballs_0_part.object, smoothballs_0_turns),
                 before,
             );
         }
@@ -130,61 +159,23 @@ fn bittenSolid(ray: Ray) -> Crossing {
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_GROUND: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
+        case OBJECT_GROUND: { return placed(groundSurfaceAt(p), p); }
         case OBJECT_SPONGE: {
-            let space = Space(
-                vec4f(0.95105654, 0.0, -0.309017, 0.0),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.309017, 0.0, 0.95105654, 0.0),
-            );
-            return placedFrom(
-                space,
-                mengerSpongeSurface(pointInto(space, p), vec3f(-1.55, 0.86, -0.4), 1.7, 3u),
-                p,
-            );
+            return placedFrom(spongeSpace(), spongeSurfaceAt(pointInto(spongeSpace(), p)), p);
         }
-        case OBJECT_BULB: {
-            return placed(mandelbulbSurface(p, vec3f(0.75, 0.95, -1.3), 1.05, 8.0, 5u), p);
-        }
-        case OBJECT_GYROID: {
-            return placed(gyroidSurface(p, vec3f(0.35, 0.6, 1.2), 0.6, 0.62, 0.05), p);
-        }
+        case OBJECT_BULB: { return placed(bulbSurfaceAt(p), p); }
+        case OBJECT_GYROID: { return placed(gyroidSurfaceAt(p), p); }
         case OBJECT_BITTEN_SMOOTHBALLS_0: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, -2.1),
-                vec4f(0.0, 1.0, 0.0, -0.6),
-                vec4f(0.0, 0.0, 1.0, -0.2),
-            );
             return placedFrom(
-                space,
-                smoothBallsSurface(
-                    pointInto(space, p),
-                    vec3f(-0.3, 0.0, 0.0),
-                    vec3f(0.45, 0.2, 0.0),
-                    0.6,
-                    0.42,
-                    0.4,
-                ),
+                bittenSmoothBalls0Space(),
+                bittenSmoothBalls0SurfaceAt(pointInto(bittenSmoothBalls0Space(), p)),
                 p,
             );
         }
         case OBJECT_BITE: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, -2.1),
-                vec4f(0.0, 1.0, 0.0, -0.6),
-                vec4f(0.0, 0.0, 1.0, -0.2),
-            );
-            return placedFrom(
-                space,
-                inverted(mengerSpongeSurface(pointInto(space, p), vec3f(0.2, 0.5, 0.5), 1.0, 2u)),
-                p,
-            );
+            return placedFrom(biteSpace(), inverted(biteSurfaceAt(pointInto(biteSpace(), p))), p);
         }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -377,6 +368,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "ground": (color: Hexagon(scale: 2), reflectivity: 0.05, fresnel: 5)
 fn groundMaterial(at: Surface) -> Material {
     var material = matte(
         hexagon(
@@ -395,30 +387,35 @@ fn groundMaterial(at: Surface) -> Material {
     return material;
 }
 
+/// material "sponge": (color: "#d8a24a", specular: 0.2)
 fn spongeMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.6866853, 0.36130682, 0.068478175));
     material.specular = 0.2;
     return material;
 }
 
+/// material "bulb": (color: "#b9574a", specular: 0.3)
 fn bulbMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.48514995, 0.09530747, 0.068478175));
     material.specular = 0.3;
     return material;
 }
 
+/// material "gyroid": (color: "#4a86a8", specular: 0.5)
 fn gyroidMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.068478175, 0.2383976, 0.3915725));
     material.specular = 0.5;
     return material;
 }
 
+/// material "bitten": (color: "#7a9a57", specular: 0.4)
 fn bittenMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.19461784, 0.32314324, 0.09530747));
     material.specular = 0.4;
     return material;
 }
 
+/// material "bite": (color: "#f1e4c3")
 fn biteMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8796224, 0.7758222, 0.5457245));
 }

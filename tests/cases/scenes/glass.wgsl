@@ -16,42 +16,64 @@ const TRANSMITS: bool = true;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "floor": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_FLOOR);
-    // objects[1] "wall": Plane(normal: (0, 0, 1), offset: -3)
-    hit = nearer(hit, plane(ray, vec3f(0.0, 0.0, 1.0), -3.0), OBJECT_WALL);
-    // objects[2] "ball": Sphere(center: (-1.3, 1.2, 0), radius: 1.2, casts_shadow: false)
-    hit = nearer(hit, sphere(ray, vec3f(-1.3, 1.2, 0.0), 1.2), OBJECT_BALL);
-    // objects[3] "rod": Cylinder(base: (1.6, 0, 0.5), top: (1.6, 2.2, 0.5), radius: 0.7, casts_sha…
-    hit = nearer(hit, cylinder(ray, vec3f(1.6, 0.0, 0.5), vec3f(1.6, 2.2, 0.5), 0.7), OBJECT_ROD);
+    hit = nearer(hit, floorCrossing(ray), OBJECT_FLOOR);
+    hit = nearer(hit, wallCrossing(ray), OBJECT_WALL);
+    hit = nearer(hit, ballCrossing(ray), OBJECT_BALL);
+    hit = nearer(hit, rodCrossing(ray), OBJECT_ROD);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
-    if plane(ray, vec3f(0.0, 0.0, 1.0), -3.0) < NO_HIT { return true; }
+    if floorCrossing(ray) < NO_HIT { return true; }
+    if wallCrossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "floor": Plane()
+fn floorCrossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn floorSurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// objects[1] "wall": Plane(normal: (0, 0, 1), offset: -3)
+fn wallCrossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 0.0, 1.0), -3.0);
+}
+
+fn wallSurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 0.0, 1.0), -3.0);
+}
+
+/// objects[2] "ball": Sphere(center: (-1.3, 1.2, 0), radius: 1.2, casts_shadow: false)
+fn ballCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(-1.3, 1.2, 0.0), 1.2);
+}
+
+fn ballSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(-1.3, 1.2, 0.0), 1.2);
+}
+
+/// objects[3] "rod": Cylinder(base: (1.6, 0, 0.5), top: (1.6, 2.2, 0.5), radius: 0.7, casts_shadow…
+fn rodCrossing(ray: Ray) -> f32 {
+    return cylinder(ray, vec3f(1.6, 0.0, 0.5), vec3f(1.6, 2.2, 0.5), 0.7);
+}
+
+fn rodSurfaceAt(p: vec3f) -> Surface {
+    return cylinderSurface(p, vec3f(1.6, 0.0, 0.5), vec3f(1.6, 2.2, 0.5), 0.7);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_FLOOR: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
-        case OBJECT_WALL: {
-            return placed(planeSurface(p, vec3f(0.0, 0.0, 1.0), -3.0), p);
-        }
-        case OBJECT_BALL: {
-            return placed(sphereSurface(p, vec3f(-1.3, 1.2, 0.0), 1.2), p);
-        }
-        case OBJECT_ROD: {
-            return placed(cylinderSurface(p, vec3f(1.6, 0.0, 0.5), vec3f(1.6, 2.2, 0.5), 0.7), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_FLOOR: { return placed(floorSurfaceAt(p), p); }
+        case OBJECT_WALL: { return placed(wallSurfaceAt(p), p); }
+        case OBJECT_BALL: { return placed(ballSurfaceAt(p), p); }
+        case OBJECT_ROD: { return placed(rodSurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -65,6 +87,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "glass": (color: 0.0, specular: 0.8, shininess: 200, reflectivity: 0.04, fresnel: 5, t…
 fn glassMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.0));
     material.specular = 0.8;
@@ -76,10 +99,12 @@ fn glassMaterial(at: Surface) -> Material {
     return material;
 }
 
+/// material "floor": (color: Checker(scale: 1, even: 0.8, odd: 0.3))
 fn floorMaterial(at: Surface) -> Material {
     return matte(checker(at, 1.0, vec3f(0.8), vec3f(0.3)));
 }
 
+/// material "wall": (color: Brick(scale: 2))
 fn wallMaterial(at: Surface) -> Material {
     return matte(
         brick(

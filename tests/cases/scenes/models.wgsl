@@ -19,88 +19,73 @@ const TRANSMITS: bool = true;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "floor": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_FLOOR);
-    // objects[1] "knot": Mesh(file: "models/knot.obj", rotate_deg: (62, 20, 0), translate: (-0.75,…
-    hit = nearer(
-        hit,
-        mesh(
-            rayInto(
-                Space(
-                    vec4f(0.98915017, 0.0, -0.3600212, 0.5258499),
-                    vec4f(0.31787986, 0.4941806, 0.8733677, 0.09528673),
-                    vec4f(0.16901971, -0.9294185, 0.46437785, 1.6601065),
-                ),
-                ray,
-            ),
-            MODEL_KNOT,
-            true,
-        ),
-        OBJECT_KNOT,
-    );
-    // objects[2] "gem": Mesh(file: "models/gem.glb", smooth: false, scale: 0.75, translate: (1.35,…
-    hit = nearer(
-        hit,
-        mesh(
-            rayInto(
-                Space(
-                    vec4f(1.2157063, 0.30310962, -0.45602685, -1.4278007),
-                    vec4f(-0.32256252, 1.2937276, 0.0, -0.40546355),
-                    vec4f(0.44248092, 0.110322885, 1.2529235, -1.7966902),
-                ),
-                ray,
-            ),
-            MODEL_GEM,
-            false,
-        ),
-        OBJECT_GEM,
-    );
+    hit = nearer(hit, floorCrossing(ray), OBJECT_FLOOR);
+    hit = nearer(hit, knotCrossing(rayInto(knotSpace(), ray)), OBJECT_KNOT);
+    hit = nearer(hit, gemCrossing(rayInto(gemSpace(), ray)), OBJECT_GEM);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
-    if mesh(
-        rayInto(
-            Space(
-                vec4f(0.98915017, 0.0, -0.3600212, 0.5258499),
-                vec4f(0.31787986, 0.4941806, 0.8733677, 0.09528673),
-                vec4f(0.16901971, -0.9294185, 0.46437785, 1.6601065),
-            ),
-            ray,
-        ),
-        MODEL_KNOT,
-        true,
-    ) < NO_HIT { return true; }
+    if floorCrossing(ray) < NO_HIT { return true; }
+    if knotCrossing(rayInto(knotSpace(), ray)) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "floor": Plane()
+fn floorCrossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn floorSurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// objects[1] "knot": Mesh(file: "models/knot.obj", rotate_deg: (62, 20, 0), translate: (-0.75, 1.…
+fn knotCrossing(ray: Ray) -> f32 {
+    return mesh(ray, MODEL_KNOT, true);
+}
+
+fn knotSurfaceAt(p: vec3f) -> Surface {
+    return meshSurface(p, MODEL_KNOT, true);
+}
+
+fn knotSpace() -> Space {
+    return Space(
+        vec4f(0.98915017, 0.0, -0.3600212, 0.5258499),
+        vec4f(0.31787986, 0.4941806, 0.8733677, 0.09528673),
+        vec4f(0.16901971, -0.9294185, 0.46437785, 1.6601065),
+    );
+}
+
+/// objects[2] "gem": Mesh(file: "models/gem.glb", smooth: false, scale: 0.75, translate: (1.35, 0.…
+fn gemCrossing(ray: Ray) -> f32 {
+    return mesh(ray, MODEL_GEM, false);
+}
+
+fn gemSurfaceAt(p: vec3f) -> Surface {
+    return meshSurface(p, MODEL_GEM, false);
+}
+
+fn gemSpace() -> Space {
+    return Space(
+        vec4f(1.2157063, 0.30310962, -0.45602685, -1.4278007),
+        vec4f(-0.32256252, 1.2937276, 0.0, -0.40546355),
+        vec4f(0.44248092, 0.110322885, 1.2529235, -1.7966902),
+    );
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_FLOOR: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
+        case OBJECT_FLOOR: { return placed(floorSurfaceAt(p), p); }
         case OBJECT_KNOT: {
-            let space = Space(
-                vec4f(0.98915017, 0.0, -0.3600212, 0.5258499),
-                vec4f(0.31787986, 0.4941806, 0.8733677, 0.09528673),
-                vec4f(0.16901971, -0.9294185, 0.46437785, 1.6601065),
-            );
-            return placedFrom(space, meshSurface(pointInto(space, p), MODEL_KNOT, true), p);
+            return placedFrom(knotSpace(), knotSurfaceAt(pointInto(knotSpace(), p)), p);
         }
         case OBJECT_GEM: {
-            let space = Space(
-                vec4f(1.2157063, 0.30310962, -0.45602685, -1.4278007),
-                vec4f(-0.32256252, 1.2937276, 0.0, -0.40546355),
-                vec4f(0.44248092, 0.110322885, 1.2529235, -1.7966902),
-            );
-            return placedFrom(space, meshSurface(pointInto(space, p), MODEL_GEM, false), p);
+            return placedFrom(gemSpace(), gemSurfaceAt(pointInto(gemSpace(), p)), p);
         }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -114,6 +99,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "brass": (color: "#7a5a22", specular: 0.9, shininess: 120, reflectivity: 0.35, fresnel…
 fn brassMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.19461784, 0.10224174, 0.015996294));
     material.specular = 0.9;
@@ -123,6 +109,7 @@ fn brassMaterial(at: Surface) -> Material {
     return material;
 }
 
+/// material "glass": (color: 0.0, specular: 0.9, shininess: 300, reflectivity: 0.05, fresnel: 5, t…
 fn glassMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.0));
     material.specular = 0.9;
@@ -134,6 +121,7 @@ fn glassMaterial(at: Surface) -> Material {
     return material;
 }
 
+/// material "slate": (color: Ramp(by: Fbm(scale: 3), stops: [(0.2, "#2b333d"), (0.8, "#5a6675")]),…
 fn slateMaterial(at: Surface) -> Material {
     let by1 = fbm(at, 3.0, 5u, 2.0, 0.5);
     var ramp2 = vec3f(0.024157634, 0.033104766, 0.046665087);

@@ -32,111 +32,400 @@ const TRANSMITS: bool = true;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "table": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_TABLE);
-    // "die": Difference(translate: (-1.9, 1, 0.4), rotate_deg: (0, 28, 0))
+    hit = nearer(hit, tableCrossing(ray), OBJECT_TABLE);
     hit = nearerCrossing(hit, dieSolid(ray));
-    // "mug": Union(translate: (0.7, 0, -1.4), rotate_deg: (0, -35, 0))
     hit = nearerCrossing(hit, mugSolid(ray));
-    // "nut": Difference(translate: (0.35, 0, 1.7), rotate_deg: (0, 15, 0))
     hit = nearerCrossing(hit, nutSolid(ray));
-    // "lens": Intersection(translate: (2.6, 0.95, 0.6), rotate_deg: (0, 52, 0), casts_shadow: fals…
     hit = nearerCrossing(hit, lensSolid(ray));
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
+    if tableCrossing(ray) < NO_HIT { return true; }
     if dieSolid(ray).t < NO_HIT { return true; }
     if mugSolid(ray).t < NO_HIT { return true; }
     if nutSolid(ray).t < NO_HIT { return true; }
     return false;
 }
 
-/// "die": Difference(translate: (-1.9, 1, 0.4), rotate_deg: (0, 28, 0))
+/// objects[0] "table": Plane()
+fn tableCrossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn tableSurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// "cube RoundedBox 0": RoundedBox(radius: 0.12)
+fn cubeRoundedBox0Crossing(ray: Ray) -> f32 {
+    return roundedBox(ray, vec3f(-1.0), vec3f(1.0), 0.12);
+}
+
+fn cubeRoundedBox0SurfaceAt(p: vec3f) -> Surface {
+    return roundedBoxSurface(p, vec3f(-1.0), vec3f(1.0), 0.12);
+}
+
+fn cubeRoundedBox0Space() -> Space {
+    return Space(
+        vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
+        vec4f(0.0, 1.0, 0.0, -1.0),
+        vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
+    );
+}
+
+/// "cube Sphere 1": Sphere(radius: 1.5)
+fn cubeSphere1Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.5);
+}
+
+fn cubeSphere1SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.5);
+}
+
+fn cubeSphere1Space() -> Space {
+    return Space(
+        vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
+        vec4f(0.0, 1.0, 0.0, -1.0),
+        vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
+    );
+}
+
+/// "one": Sphere(center: (0, 1.12, 0), radius: 0.32)
+fn oneCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0, 1.12, 0.0), 0.32);
+}
+
+fn oneSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0, 1.12, 0.0), 0.32);
+}
+
+fn oneSpace() -> Space {
+    return Space(
+        vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
+        vec4f(0.0, 1.0, 0.0, -1.0),
+        vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
+    );
+}
+
+/// "two a": Sphere(center: (-0.45, 0.45, 1.1), radius: 0.24)
+fn twoACrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(-0.45, 0.45, 1.1), 0.24);
+}
+
+fn twoASurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(-0.45, 0.45, 1.1), 0.24);
+}
+
+fn twoASpace() -> Space {
+    return Space(
+        vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
+        vec4f(0.0, 1.0, 0.0, -1.0),
+        vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
+    );
+}
+
+/// "two b": Sphere(center: (0.45, -0.45, 1.1), radius: 0.24)
+fn twoBCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.45, -0.45, 1.1), 0.24);
+}
+
+fn twoBSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.45, -0.45, 1.1), 0.24);
+}
+
+fn twoBSpace() -> Space {
+    return Space(
+        vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
+        vec4f(0.0, 1.0, 0.0, -1.0),
+        vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
+    );
+}
+
+/// "three a": Sphere(center: (1.1, 0.5, -0.5), radius: 0.24)
+fn threeACrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(1.1, 0.5, -0.5), 0.24);
+}
+
+fn threeASurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(1.1, 0.5, -0.5), 0.24);
+}
+
+fn threeASpace() -> Space {
+    return Space(
+        vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
+        vec4f(0.0, 1.0, 0.0, -1.0),
+        vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
+    );
+}
+
+/// "three b": Sphere(center: (1.1, 0, 0), radius: 0.24)
+fn threeBCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(1.1, 0.0, 0.0), 0.24);
+}
+
+fn threeBSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(1.1, 0.0, 0.0), 0.24);
+}
+
+fn threeBSpace() -> Space {
+    return Space(
+        vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
+        vec4f(0.0, 1.0, 0.0, -1.0),
+        vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
+    );
+}
+
+/// "three c": Sphere(center: (1.1, -0.5, 0.5), radius: 0.24)
+fn threeCCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(1.1, -0.5, 0.5), 0.24);
+}
+
+fn threeCSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(1.1, -0.5, 0.5), 0.24);
+}
+
+fn threeCSpace() -> Space {
+    return Space(
+        vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
+        vec4f(0.0, 1.0, 0.0, -1.0),
+        vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
+    );
+}
+
+/// "cup RoundedCylinder 0": RoundedCylinder(top: (0, 1.9, 0), radius: 0.85, rounding: 0.06)
+fn cupRoundedCylinder0Crossing(ray: Ray) -> f32 {
+    return roundedCylinder(ray, vec3f(0.0), vec3f(0.0, 1.9, 0.0), 0.85, 0.06);
+}
+
+fn cupRoundedCylinder0SurfaceAt(p: vec3f) -> Surface {
+    return roundedCylinderSurface(p, vec3f(0.0), vec3f(0.0, 1.9, 0.0), 0.85, 0.06);
+}
+
+fn cupRoundedCylinder0Space() -> Space {
+    return Space(
+        vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
+        vec4f(0.0, 1.0, 0.0, 0.0),
+        vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
+    );
+}
+
+/// "hollow": RoundedCylinder(base: (0, 0.12, 0), top: (0, 3, 0), radius: 0.74, rounding: 0.1)
+fn hollowCrossing(ray: Ray) -> f32 {
+    return roundedCylinder(ray, vec3f(0.0, 0.12, 0.0), vec3f(0.0, 3.0, 0.0), 0.74, 0.1);
+}
+
+fn hollowSurfaceAt(p: vec3f) -> Surface {
+    return roundedCylinderSurface(p, vec3f(0.0, 0.12, 0.0), vec3f(0.0, 3.0, 0.0), 0.74, 0.1);
+}
+
+fn hollowSpace() -> Space {
+    return Space(
+        vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
+        vec4f(0.0, 1.0, 0.0, 0.0),
+        vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
+    );
+}
+
+/// "ring": Torus(center: (0.85, 0.95, 0), axis: (0, 0, 1), major_radius: 0.48, minor_radius: 0.1)
+fn ringCrossing(ray: Ray) -> f32 {
+    return torus(ray, vec3f(0.85, 0.95, 0.0), vec3f(0.0, 0.0, 1.0), 0.48, 0.1);
+}
+
+fn ringSurfaceAt(p: vec3f) -> Surface {
+    return torusSurface(p, vec3f(0.85, 0.95, 0.0), vec3f(0.0, 0.0, 1.0), 0.48, 0.1);
+}
+
+fn ringSpace() -> Space {
+    return Space(
+        vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
+        vec4f(0.0, 1.0, 0.0, 0.0),
+        vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
+    );
+}
+
+/// "inside": Cylinder(base: (0, -1, 0), top: (0, 3, 0), radius: 0.8)
+fn insideCrossing(ray: Ray) -> f32 {
+    return cylinder(ray, vec3f(0.0, -1.0, 0.0), vec3f(0.0, 3.0, 0.0), 0.8);
+}
+
+fn insideSurfaceAt(p: vec3f) -> Surface {
+    return cylinderSurface(p, vec3f(0.0, -1.0, 0.0), vec3f(0.0, 3.0, 0.0), 0.8);
+}
+
+fn insideSpace() -> Space {
+    return Space(
+        vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
+        vec4f(0.0, 1.0, 0.0, 0.0),
+        vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
+    );
+}
+
+/// "blank HexPrism 0": HexPrism(center: (0, 0.3, 0), radius: 0.8, height: 0.6)
+fn blankHexPrism0Crossing(ray: Ray) -> f32 {
+    return hexPrism(ray, vec3f(0.0, 0.3, 0.0), vec3f(0.0, 1.0, 0.0), 0.8, 0.6);
+}
+
+fn blankHexPrism0SurfaceAt(p: vec3f) -> Surface {
+    return hexPrismSurface(p, vec3f(0.0, 0.3, 0.0), vec3f(0.0, 1.0, 0.0), 0.8, 0.6);
+}
+
+fn blankHexPrism0Space() -> Space {
+    return Space(
+        vec4f(0.9659258, 0.0, -0.25881904, 0.10191834),
+        vec4f(0.0, 1.0, 0.0, 0.0),
+        vec4f(0.25881904, 0.0, 0.9659258, -1.7326605),
+    );
+}
+
+/// "turned": Sphere(center: (0, 0.3, 0), radius: 0.82)
+fn turnedCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0, 0.3, 0.0), 0.82);
+}
+
+fn turnedSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0, 0.3, 0.0), 0.82);
+}
+
+fn turnedSpace() -> Space {
+    return Space(
+        vec4f(0.9659258, 0.0, -0.25881904, 0.10191834),
+        vec4f(0.0, 1.0, 0.0, 0.0),
+        vec4f(0.25881904, 0.0, 0.9659258, -1.7326605),
+    );
+}
+
+/// "bore": Cylinder(base: (0, -1, 0), top: (0, 2, 0), radius: 0.42)
+fn boreCrossing(ray: Ray) -> f32 {
+    return cylinder(ray, vec3f(0.0, -1.0, 0.0), vec3f(0.0, 2.0, 0.0), 0.42);
+}
+
+fn boreSurfaceAt(p: vec3f) -> Surface {
+    return cylinderSurface(p, vec3f(0.0, -1.0, 0.0), vec3f(0.0, 2.0, 0.0), 0.42);
+}
+
+fn boreSpace() -> Space {
+    return Space(
+        vec4f(0.9659258, 0.0, -0.25881904, 0.10191834),
+        vec4f(0.0, 1.0, 0.0, 0.0),
+        vec4f(0.25881904, 0.0, 0.9659258, -1.7326605),
+    );
+}
+
+/// "front": Sphere(center: (0, 0, 1.1), radius: 1.45)
+fn frontCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0, 0.0, 1.1), 1.45);
+}
+
+fn frontSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0, 0.0, 1.1), 1.45);
+}
+
+fn frontSpace() -> Space {
+    return Space(
+        vec4f(0.6156615, 0.0, -0.7880108, -1.1279134),
+        vec4f(0.0, 1.0, 0.0, -0.95),
+        vec4f(0.7880108, 0.0, 0.6156615, -2.4182248),
+    );
+}
+
+/// "back": Sphere(center: (0, 0, -1.1), radius: 1.45)
+fn backCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0, 0.0, -1.1), 1.45);
+}
+
+fn backSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0, 0.0, -1.1), 1.45);
+}
+
+fn backSpace() -> Space {
+    return Space(
+        vec4f(0.6156615, 0.0, -0.7880108, -1.1279134),
+        vec4f(0.0, 1.0, 0.0, -0.95),
+        vec4f(0.7880108, 0.0, 0.6156615, -2.4182248),
+    );
+}
+
+/// objects[1] "die": Difference(translate: (-1.9, 1, 0.4), rotate_deg: (0, 28, 0))
 fn dieSolid(ray: Ray) -> Crossing {
     var rest = ray;
-    var moved0 = rayInto(
-        Space(
-            vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
-            vec4f(0.0, 1.0, 0.0, -1.0),
-            vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-        ),
-        ray,
-    );
-    var cubePart = notAsked();
-    var onePart = notAsked();
-    var twoAPart = notAsked();
-    var twoBPart = notAsked();
-    var threeAPart = notAsked();
-    var threeBPart = notAsked();
-    var threeCPart = notAsked();
+    var moved0 = rayInto(oneSpace(), ray);
+    var cube_part = notAsked();
+    var one_part = notAsked();
+    var two_a_part = notAsked();
+    var two_b_part = notAsked();
+    var three_a_part = notAsked();
+    var three_b_part = notAsked();
+    var three_c_part = notAsked();
     for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if cubePart.t <= rest.t_min {
-            cubePart = cubeSolid(rest);
+        if cube_part.t <= rest.t_min {
+            cube_part = cubeSolid(rest);
         }
-        if onePart.t <= rest.t_min {
-            let t = sphere(moved0, vec3f(0.0, 1.12, 0.0), 0.32);
-            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 1.12, 0.0), 0.32);
-            onePart = crossing(moved0, t, OBJECT_ONE, on.geometric_normal);
+        if one_part.t <= rest.t_min {
+            let t = oneCrossing(moved0);
+            let on = oneSurfaceAt(pointAt(moved0, t));
+            one_part = crossing(moved0, t, OBJECT_ONE, on.geometric_normal);
         }
-        if twoAPart.t <= rest.t_min {
-            let t = sphere(moved0, vec3f(-0.45, 0.45, 1.1), 0.24);
-            let on = sphereSurface(pointAt(moved0, t), vec3f(-0.45, 0.45, 1.1), 0.24);
-            twoAPart = crossing(moved0, t, OBJECT_TWO_A, on.geometric_normal);
+        if two_a_part.t <= rest.t_min {
+            let t = twoACrossing(moved0);
+            let on = twoASurfaceAt(pointAt(moved0, t));
+            two_a_part = crossing(moved0, t, OBJECT_TWO_A, on.geometric_normal);
         }
-        if twoBPart.t <= rest.t_min {
-            let t = sphere(moved0, vec3f(0.45, -0.45, 1.1), 0.24);
-            let on = sphereSurface(pointAt(moved0, t), vec3f(0.45, -0.45, 1.1), 0.24);
-            twoBPart = crossing(moved0, t, OBJECT_TWO_B, on.geometric_normal);
+        if two_b_part.t <= rest.t_min {
+            let t = twoBCrossing(moved0);
+            let on = twoBSurfaceAt(pointAt(moved0, t));
+            two_b_part = crossing(moved0, t, OBJECT_TWO_B, on.geometric_normal);
         }
-        if threeAPart.t <= rest.t_min {
-            let t = sphere(moved0, vec3f(1.1, 0.5, -0.5), 0.24);
-            let on = sphereSurface(pointAt(moved0, t), vec3f(1.1, 0.5, -0.5), 0.24);
-            threeAPart = crossing(moved0, t, OBJECT_THREE_A, on.geometric_normal);
+        if three_a_part.t <= rest.t_min {
+            let t = threeACrossing(moved0);
+            let on = threeASurfaceAt(pointAt(moved0, t));
+            three_a_part = crossing(moved0, t, OBJECT_THREE_A, on.geometric_normal);
         }
-        if threeBPart.t <= rest.t_min {
-            let t = sphere(moved0, vec3f(1.1, 0.0, 0.0), 0.24);
-            let on = sphereSurface(pointAt(moved0, t), vec3f(1.1, 0.0, 0.0), 0.24);
-            threeBPart = crossing(moved0, t, OBJECT_THREE_B, on.geometric_normal);
+        if three_b_part.t <= rest.t_min {
+            let t = threeBCrossing(moved0);
+            let on = threeBSurfaceAt(pointAt(moved0, t));
+            three_b_part = crossing(moved0, t, OBJECT_THREE_B, on.geometric_normal);
         }
-        if threeCPart.t <= rest.t_min {
-            let t = sphere(moved0, vec3f(1.1, -0.5, 0.5), 0.24);
-            let on = sphereSurface(pointAt(moved0, t), vec3f(1.1, -0.5, 0.5), 0.24);
-            threeCPart = crossing(moved0, t, OBJECT_THREE_C, on.geometric_normal);
+        if three_c_part.t <= rest.t_min {
+            let t = threeCCrossing(moved0);
+            let on = threeCSurfaceAt(pointAt(moved0, t));
+            three_c_part = crossing(moved0, t, OBJECT_THREE_C, on.geometric_normal);
         }
         let t = min(
             min(
-                min(min(min(min(cubePart.t, onePart.t), twoAPart.t), twoBPart.t), threeAPart.t),
-                threeBPart.t,
+                min(
+                    min(min(min(cube_part.t, one_part.t), two_a_part.t), two_b_part.t),
+                    three_a_part.t,
+                ),
+                three_b_part.t,
             ),
-            threeCPart.t,
+            three_c_part.t,
         );
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
-        let cubeTurns = cubePart.t <= rest.t_min;
-        let oneTurns = onePart.t <= rest.t_min;
-        let twoATurns = twoAPart.t <= rest.t_min;
-        let twoBTurns = twoBPart.t <= rest.t_min;
-        let threeATurns = threeAPart.t <= rest.t_min;
-        let threeBTurns = threeBPart.t <= rest.t_min;
-        let threeCTurns = threeCPart.t <= rest.t_min;
-        let before = cubePart.leaves
-            && !onePart.leaves
-            && !twoAPart.leaves
-            && !twoBPart.leaves
-            && !threeAPart.leaves
-            && !threeBPart.leaves
-            && !threeCPart.leaves;
-        let behind = cubePart.leaves != cubeTurns
-            && onePart.leaves == oneTurns
-            && twoAPart.leaves == twoATurns
-            && twoBPart.leaves == twoBTurns
-            && threeAPart.leaves == threeATurns
-            && threeBPart.leaves == threeBTurns
-            && threeCPart.leaves == threeCTurns;
+        let cube_turns = cube_part.t <= rest.t_min;
+        let one_turns = one_part.t <= rest.t_min;
+        let two_a_turns = two_a_part.t <= rest.t_min;
+        let two_b_turns = two_b_part.t <= rest.t_min;
+        let three_a_turns = three_a_part.t <= rest.t_min;
+        let three_b_turns = three_b_part.t <= rest.t_min;
+        let three_c_turns = three_c_part.t <= rest.t_min;
+        let before = cube_part.leaves
+            && !one_part.leaves
+            && !two_a_part.leaves
+            && !two_b_part.leaves
+            && !three_a_part.leaves
+            && !three_b_part.leaves
+            && !three_c_part.leaves;
+        let behind = cube_part.leaves != cube_turns
+            && one_part.leaves == one_turns
+            && two_a_part.leaves == two_a_turns
+            && two_b_part.leaves == two_b_turns
+            && three_a_part.leaves == three_a_turns
+            && three_b_part.leaves == three_b_turns
+            && three_c_part.leaves == three_c_turns;
         if before != behind {
             return Crossing(
                 t,
@@ -145,21 +434,21 @@ fn dieSolid(ray: Ray) -> Crossing {
                         select(
                             select(
                                 select(
-                                    select(threeCPart.object, threeBPart.object, threeBTurns),
-                                    threeAPart.object,
-                                    threeATurns,
+                                    select(three_c_part.object, three_b_part.object, three_b_turns),
+                                    three_a_part.object,
+                                    three_a_turns,
                                 ),
-                                twoBPart.object,
-                                twoBTurns,
+                                two_b_part.object,
+                                two_b_turns,
                             ),
-                            twoAPart.object,
-                            twoATurns,
+                            two_a_part.object,
+                            two_a_turns,
                         ),
-                        onePart.object,
-                        oneTurns,
+                        one_part.object,
+                        one_turns,
                     ),
-                    cubePart.object,
-                    cubeTurns,
+                    cube_part.object,
+                    cube_turns,
                 ),
                 before,
             );
@@ -171,40 +460,33 @@ fn dieSolid(ray: Ray) -> Crossing {
 /// "cube": Intersection()
 fn cubeSolid(ray: Ray) -> Crossing {
     var rest = ray;
-    var moved0 = rayInto(
-        Space(
-            vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
-            vec4f(0.0, 1.0, 0.0, -1.0),
-            vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-        ),
-        ray,
-    );
-    var roundedBox0Part = notAsked();
-    var sphere1Part = notAsked();
+    var moved0 = rayInto(cubeRoundedBox0Space(), ray);
+    var roundedbox_0_part = notAsked();
+    var sphere_1_part = notAsked();
     for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if roundedBox0Part.t <= rest.t_min {
-            let t = roundedBox(moved0, vec3f(-1.0), vec3f(1.0), 0.12);
-            let on = roundedBoxSurface(pointAt(moved0, t), vec3f(-1.0), vec3f(1.0), 0.12);
-            roundedBox0Part = crossing(moved0, t, OBJECT_CUBE_ROUNDEDBOX_0, on.geometric_normal);
+        if roundedbox_0_part.t <= rest.t_min {
+            let t = cubeRoundedBox0Crossing(moved0);
+            let on = cubeRoundedBox0SurfaceAt(pointAt(moved0, t));
+            roundedbox_0_part = crossing(moved0, t, OBJECT_CUBE_ROUNDEDBOX_0, on.geometric_normal);
         }
-        if sphere1Part.t <= rest.t_min {
-            let t = sphere(moved0, vec3f(0.0), 1.5);
-            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0), 1.5);
-            sphere1Part = crossing(moved0, t, OBJECT_CUBE_SPHERE_1, on.geometric_normal);
+        if sphere_1_part.t <= rest.t_min {
+            let t = cubeSphere1Crossing(moved0);
+            let on = cubeSphere1SurfaceAt(pointAt(moved0, t));
+            sphere_1_part = crossing(moved0, t, OBJECT_CUBE_SPHERE_1, on.geometric_normal);
         }
-        let t = min(roundedBox0Part.t, sphere1Part.t);
+        let t = min(roundedbox_0_part.t, sphere_1_part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
-        let roundedBox0Turns = roundedBox0Part.t <= rest.t_min;
-        let sphere1Turns = sphere1Part.t <= rest.t_min;
-        let before = roundedBox0Part.leaves && sphere1Part.leaves;
-        let behind = roundedBox0Part.leaves != roundedBox0Turns
-            && sphere1Part.leaves != sphere1Turns;
+        let roundedbox_0_turns = roundedbox_0_part.t <= rest.t_min;
+        let sphere_1_turns = sphere_1_part.t <= rest.t_min;
+        let before = roundedbox_0_part.leaves && sphere_1_part.leaves;
+        let behind = roundedbox_0_part.leaves != roundedbox_0_turns
+            && sphere_1_part.leaves != sphere_1_turns;
         if before != behind {
             return Crossing(
                 t,
-                select(sphere1Part.object, roundedBox0Part.object, roundedBox0Turns),
+                select(sphere_1_part.object, roundedbox_0_part.object, roundedbox_0_turns),
                 before,
             );
         }
@@ -212,27 +494,27 @@ fn cubeSolid(ray: Ray) -> Crossing {
     return Crossing(NO_HIT, NO_OBJECT, false);
 }
 
-/// "mug": Union(translate: (0.7, 0, -1.4), rotate_deg: (0, -35, 0))
+/// objects[2] "mug": Union(translate: (0.7, 0, -1.4), rotate_deg: (0, -35, 0))
 fn mugSolid(ray: Ray) -> Crossing {
     var rest = ray;
-    var cupPart = notAsked();
-    var handlePart = notAsked();
+    var cup_part = notAsked();
+    var handle_part = notAsked();
     for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if cupPart.t <= rest.t_min {
-            cupPart = cupSolid(rest);
+        if cup_part.t <= rest.t_min {
+            cup_part = cupSolid(rest);
         }
-        if handlePart.t <= rest.t_min {
-            handlePart = handleSolid(rest);
+        if handle_part.t <= rest.t_min {
+            handle_part = handleSolid(rest);
         }
-        let t = min(cupPart.t, handlePart.t);
+        let t = min(cup_part.t, handle_part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(rest, t);
-        let cupTurns = cupPart.t <= rest.t_min;
-        let handleTurns = handlePart.t <= rest.t_min;
-        let before = cupPart.leaves || handlePart.leaves;
-        let behind = cupPart.leaves != cupTurns || handlePart.leaves != handleTurns;
+        let cup_turns = cup_part.t <= rest.t_min;
+        let handle_turns = handle_part.t <= rest.t_min;
+        let before = cup_part.leaves || handle_part.leaves;
+        let behind = cup_part.leaves != cup_turns || handle_part.leaves != handle_turns;
         if before != behind {
-            return Crossing(t, select(handlePart.object, cupPart.object, cupTurns), before);
+            return Crossing(t, select(handle_part.object, cup_part.object, cup_turns), before);
         }
     }
     return Crossing(NO_HIT, NO_OBJECT, false);
@@ -241,57 +523,38 @@ fn mugSolid(ray: Ray) -> Crossing {
 /// "cup": Difference()
 fn cupSolid(ray: Ray) -> Crossing {
     var rest = ray;
-    var moved0 = rayInto(
-        Space(
-            vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
-            vec4f(0.0, 1.0, 0.0, 0.0),
-            vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
-        ),
-        ray,
-    );
-    var roundedCylinder0Part = notAsked();
-    var hollowPart = notAsked();
+    var moved0 = rayInto(cupRoundedCylinder0Space(), ray);
+    var roundedcylinder_0_part = notAsked();
+    var hollow_part = notAsked();
     for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if roundedCylinder0Part.t <= rest.t_min {
-            let t = roundedCylinder(moved0, vec3f(0.0), vec3f(0.0, 1.9, 0.0), 0.85, 0.06);
-            let on = roundedCylinderSurface(
-                pointAt(moved0, t),
-                vec3f(0.0),
-                vec3f(0.0, 1.9, 0.0),
-                0.85,
-                0.06,
-            );
-            roundedCylinder0Part = crossing(
+        if roundedcylinder_0_part.t <= rest.t_min {
+            let t = cupRoundedCylinder0Crossing(moved0);
+            let on = cupRoundedCylinder0SurfaceAt(pointAt(moved0, t));
+            roundedcylinder_0_part = crossing(
                 moved0,
                 t,
                 OBJECT_CUP_ROUNDEDCYLINDER_0,
                 on.geometric_normal,
             );
         }
-        if hollowPart.t <= rest.t_min {
-            let t = roundedCylinder(moved0, vec3f(0.0, 0.12, 0.0), vec3f(0.0, 3.0, 0.0), 0.74, 0.1);
-            let on = roundedCylinderSurface(
-                pointAt(moved0, t),
-                vec3f(0.0, 0.12, 0.0),
-                vec3f(0.0, 3.0, 0.0),
-                0.74,
-                0.1,
-            );
-            hollowPart = crossing(moved0, t, OBJECT_HOLLOW, on.geometric_normal);
+        if hollow_part.t <= rest.t_min {
+            let t = hollowCrossing(moved0);
+            let on = hollowSurfaceAt(pointAt(moved0, t));
+            hollow_part = crossing(moved0, t, OBJECT_HOLLOW, on.geometric_normal);
         }
-        let t = min(roundedCylinder0Part.t, hollowPart.t);
+        let t = min(roundedcylinder_0_part.t, hollow_part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
-        let roundedCylinder0Turns = roundedCylinder0Part.t <= rest.t_min;
-        let hollowTurns = hollowPart.t <= rest.t_min;
-        let before = roundedCylinder0Part.leaves && !hollowPart.leaves;
-        let behind = roundedCylinder0Part.leaves != roundedCylinder0Turns
-            && hollowPart.leaves == hollowTurns;
+        let roundedcylinder_0_turns = roundedcylinder_0_part.t <= rest.t_min;
+        let hollow_turns = hollow_part.t <= rest.t_min;
+        let before = roundedcylinder_0_part.leaves && !hollow_part.leaves;
+        let behind = roundedcylinder_0_part.leaves != roundedcylinder_0_turns
+            && hollow_part.leaves == hollow_turns;
         if before != behind {
             return Crossing(
                 t,
-                select(hollowPart.object, roundedCylinder0Part.object, roundedCylinder0Turns),
+                select(hollow_part.object, roundedcylinder_0_part.object, roundedcylinder_0_turns),
                 before,
             );
         }
@@ -302,90 +565,60 @@ fn cupSolid(ray: Ray) -> Crossing {
 /// "handle": Difference()
 fn handleSolid(ray: Ray) -> Crossing {
     var rest = ray;
-    var moved0 = rayInto(
-        Space(
-            vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
-            vec4f(0.0, 1.0, 0.0, 0.0),
-            vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
-        ),
-        ray,
-    );
-    var ringPart = notAsked();
-    var insidePart = notAsked();
+    var moved0 = rayInto(ringSpace(), ray);
+    var ring_part = notAsked();
+    var inside_part = notAsked();
     for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if ringPart.t <= rest.t_min {
-            let t = torus(moved0, vec3f(0.85, 0.95, 0.0), vec3f(0.0, 0.0, 1.0), 0.48, 0.1);
-            let on = torusSurface(
-                pointAt(moved0, t),
-                vec3f(0.85, 0.95, 0.0),
-                vec3f(0.0, 0.0, 1.0),
-                0.48,
-                0.1,
-            );
-            ringPart = crossing(moved0, t, OBJECT_RING, on.geometric_normal);
+        if ring_part.t <= rest.t_min {
+            let t = ringCrossing(moved0);
+            let on = ringSurfaceAt(pointAt(moved0, t));
+            ring_part = crossing(moved0, t, OBJECT_RING, on.geometric_normal);
         }
-        if insidePart.t <= rest.t_min {
-            let t = cylinder(moved0, vec3f(0.0, -1.0, 0.0), vec3f(0.0, 3.0, 0.0), 0.8);
-            let on = cylinderSurface(
-                pointAt(moved0, t),
-                vec3f(0.0, -1.0, 0.0),
-                vec3f(0.0, 3.0, 0.0),
-                0.8,
-            );
-            insidePart = crossing(moved0, t, OBJECT_INSIDE, on.geometric_normal);
+        if inside_part.t <= rest.t_min {
+            let t = insideCrossing(moved0);
+            let on = insideSurfaceAt(pointAt(moved0, t));
+            inside_part = crossing(moved0, t, OBJECT_INSIDE, on.geometric_normal);
         }
-        let t = min(ringPart.t, insidePart.t);
+        let t = min(ring_part.t, inside_part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
-        let ringTurns = ringPart.t <= rest.t_min;
-        let insideTurns = insidePart.t <= rest.t_min;
-        let before = ringPart.leaves && !insidePart.leaves;
-        let behind = ringPart.leaves != ringTurns && insidePart.leaves == insideTurns;
+        let ring_turns = ring_part.t <= rest.t_min;
+        let inside_turns = inside_part.t <= rest.t_min;
+        let before = ring_part.leaves && !inside_part.leaves;
+        let behind = ring_part.leaves != ring_turns && inside_part.leaves == inside_turns;
         if before != behind {
-            return Crossing(t, select(insidePart.object, ringPart.object, ringTurns), before);
+            return Crossing(t, select(inside_part.object, ring_part.object, ring_turns), before);
         }
     }
     return Crossing(NO_HIT, NO_OBJECT, false);
 }
 
-/// "nut": Difference(translate: (0.35, 0, 1.7), rotate_deg: (0, 15, 0))
+/// objects[3] "nut": Difference(translate: (0.35, 0, 1.7), rotate_deg: (0, 15, 0))
 fn nutSolid(ray: Ray) -> Crossing {
     var rest = ray;
-    var moved0 = rayInto(
-        Space(
-            vec4f(0.9659258, 0.0, -0.25881904, 0.10191834),
-            vec4f(0.0, 1.0, 0.0, 0.0),
-            vec4f(0.25881904, 0.0, 0.9659258, -1.7326605),
-        ),
-        ray,
-    );
-    var blankPart = notAsked();
-    var borePart = notAsked();
+    var moved0 = rayInto(boreSpace(), ray);
+    var blank_part = notAsked();
+    var bore_part = notAsked();
     for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if blankPart.t <= rest.t_min {
-            blankPart = blankSolid(rest);
+        if blank_part.t <= rest.t_min {
+            blank_part = blankSolid(rest);
         }
-        if borePart.t <= rest.t_min {
-            let t = cylinder(moved0, vec3f(0.0, -1.0, 0.0), vec3f(0.0, 2.0, 0.0), 0.42);
-            let on = cylinderSurface(
-                pointAt(moved0, t),
-                vec3f(0.0, -1.0, 0.0),
-                vec3f(0.0, 2.0, 0.0),
-                0.42,
-            );
-            borePart = crossing(moved0, t, OBJECT_BORE, on.geometric_normal);
+        if bore_part.t <= rest.t_min {
+            let t = boreCrossing(moved0);
+            let on = boreSurfaceAt(pointAt(moved0, t));
+            bore_part = crossing(moved0, t, OBJECT_BORE, on.geometric_normal);
         }
-        let t = min(blankPart.t, borePart.t);
+        let t = min(blank_part.t, bore_part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
-        let blankTurns = blankPart.t <= rest.t_min;
-        let boreTurns = borePart.t <= rest.t_min;
-        let before = blankPart.leaves && !borePart.leaves;
-        let behind = blankPart.leaves != blankTurns && borePart.leaves == boreTurns;
+        let blank_turns = blank_part.t <= rest.t_min;
+        let bore_turns = bore_part.t <= rest.t_min;
+        let before = blank_part.leaves && !bore_part.leaves;
+        let behind = blank_part.leaves != blank_turns && bore_part.leaves == bore_turns;
         if before != behind {
-            return Crossing(t, select(borePart.object, blankPart.object, blankTurns), before);
+            return Crossing(t, select(bore_part.object, blank_part.object, blank_turns), before);
         }
     }
     return Crossing(NO_HIT, NO_OBJECT, false);
@@ -394,45 +627,33 @@ fn nutSolid(ray: Ray) -> Crossing {
 /// "blank": Intersection()
 fn blankSolid(ray: Ray) -> Crossing {
     var rest = ray;
-    var moved0 = rayInto(
-        Space(
-            vec4f(0.9659258, 0.0, -0.25881904, 0.10191834),
-            vec4f(0.0, 1.0, 0.0, 0.0),
-            vec4f(0.25881904, 0.0, 0.9659258, -1.7326605),
-        ),
-        ray,
-    );
-    var hexPrism0Part = notAsked();
-    var turnedPart = notAsked();
+    var moved0 = rayInto(blankHexPrism0Space(), ray);
+    var hexprism_0_part = notAsked();
+    var turned_part = notAsked();
     for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if hexPrism0Part.t <= rest.t_min {
-            let t = hexPrism(moved0, vec3f(0.0, 0.3, 0.0), vec3f(0.0, 1.0, 0.0), 0.8, 0.6);
-            let on = hexPrismSurface(
-                pointAt(moved0, t),
-                vec3f(0.0, 0.3, 0.0),
-                vec3f(0.0, 1.0, 0.0),
-                0.8,
-                0.6,
-            );
-            hexPrism0Part = crossing(moved0, t, OBJECT_BLANK_HEXPRISM_0, on.geometric_normal);
+        if hexprism_0_part.t <= rest.t_min {
+            let t = blankHexPrism0Crossing(moved0);
+            let on = blankHexPrism0SurfaceAt(pointAt(moved0, t));
+            hexprism_0_part = crossing(moved0, t, OBJECT_BLANK_HEXPRISM_0, on.geometric_normal);
         }
-        if turnedPart.t <= rest.t_min {
-            let t = sphere(moved0, vec3f(0.0, 0.3, 0.0), 0.82);
-            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 0.3, 0.0), 0.82);
-            turnedPart = crossing(moved0, t, OBJECT_TURNED, on.geometric_normal);
+        if turned_part.t <= rest.t_min {
+            let t = turnedCrossing(moved0);
+            let on = turnedSurfaceAt(pointAt(moved0, t));
+            turned_part = crossing(moved0, t, OBJECT_TURNED, on.geometric_normal);
         }
-        let t = min(hexPrism0Part.t, turnedPart.t);
+        let t = min(hexprism_0_part.t, turned_part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
-        let hexPrism0Turns = hexPrism0Part.t <= rest.t_min;
-        let turnedTurns = turnedPart.t <= rest.t_min;
-        let before = hexPrism0Part.leaves && turnedPart.leaves;
-        let behind = hexPrism0Part.leaves != hexPrism0Turns && turnedPart.leaves != turnedTurns;
+        let hexprism_0_turns = hexprism_0_part.t <= rest.t_min;
+        let turned_turns = turned_part.t <= rest.t_min;
+        let before = hexprism_0_part.leaves && turned_part.leaves;
+        let behind = hexprism_0_part.leaves != hexprism_0_turns
+            && turned_part.leaves != turned_turns;
         if before != behind {
             return Crossing(
                 t,
-                select(turnedPart.object, hexPrism0Part.object, hexPrism0Turns),
+                select(turned_part.object, hexprism_0_part.object, hexprism_0_turns),
                 before,
             );
         }
@@ -440,40 +661,33 @@ fn blankSolid(ray: Ray) -> Crossing {
     return Crossing(NO_HIT, NO_OBJECT, false);
 }
 
-/// "lens": Intersection(translate: (2.6, 0.95, 0.6), rotate_deg: (0, 52, 0), casts_shadow: false)
+/// objects[4] "lens": Intersection(translate: (2.6, 0.95, 0.6), rotate_deg: (0, 52, 0), casts_shad…
 fn lensSolid(ray: Ray) -> Crossing {
     var rest = ray;
-    var moved0 = rayInto(
-        Space(
-            vec4f(0.6156615, 0.0, -0.7880108, -1.1279134),
-            vec4f(0.0, 1.0, 0.0, -0.95),
-            vec4f(0.7880108, 0.0, 0.6156615, -2.4182248),
-        ),
-        ray,
-    );
-    var frontPart = notAsked();
-    var backPart = notAsked();
+    var moved0 = rayInto(frontSpace(), ray);
+    var front_part = notAsked();
+    var back_part = notAsked();
     for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if frontPart.t <= rest.t_min {
-            let t = sphere(moved0, vec3f(0.0, 0.0, 1.1), 1.45);
-            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 0.0, 1.1), 1.45);
-            frontPart = crossing(moved0, t, OBJECT_FRONT, on.geometric_normal);
+        if front_part.t <= rest.t_min {
+            let t = frontCrossing(moved0);
+            let on = frontSurfaceAt(pointAt(moved0, t));
+            front_part = crossing(moved0, t, OBJECT_FRONT, on.geometric_normal);
         }
-        if backPart.t <= rest.t_min {
-            let t = sphere(moved0, vec3f(0.0, 0.0, -1.1), 1.45);
-            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0, 0.0, -1.1), 1.45);
-            backPart = crossing(moved0, t, OBJECT_BACK, on.geometric_normal);
+        if back_part.t <= rest.t_min {
+            let t = backCrossing(moved0);
+            let on = backSurfaceAt(pointAt(moved0, t));
+            back_part = crossing(moved0, t, OBJECT_BACK, on.geometric_normal);
         }
-        let t = min(frontPart.t, backPart.t);
+        let t = min(front_part.t, back_part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
-        let frontTurns = frontPart.t <= rest.t_min;
-        let backTurns = backPart.t <= rest.t_min;
-        let before = frontPart.leaves && backPart.leaves;
-        let behind = frontPart.leaves != frontTurns && backPart.leaves != backTurns;
+        let front_turns = front_part.t <= rest.t_min;
+        let back_turns = back_part.t <= rest.t_min;
+        let before = front_part.leaves && back_part.leaves;
+        let behind = front_part.leaves != front_turns && back_part.leaves != back_turns;
         if before != behind {
-            return Crossing(t, select(backPart.object, frontPart.object, frontTurns), before);
+            return Crossing(t, select(back_part.object, front_part.object, front_turns), before);
         }
     }
     return Crossing(NO_HIT, NO_OBJECT, false);
@@ -483,252 +697,115 @@ fn lensSolid(ray: Ray) -> Crossing {
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     var its_surface: Placed;
     switch object {
-        case OBJECT_TABLE: {
-            its_surface = placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
+        case OBJECT_TABLE: { its_surface = placed(tableSurfaceAt(p), p); }
         case OBJECT_CUBE_ROUNDEDBOX_0: {
-            let space = Space(
-                vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
-                vec4f(0.0, 1.0, 0.0, -1.0),
-                vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-            );
             its_surface = placedFrom(
-                space,
-                roundedBoxSurface(pointInto(space, p), vec3f(-1.0), vec3f(1.0), 0.12),
+                cubeRoundedBox0Space(),
+                cubeRoundedBox0SurfaceAt(pointInto(cubeRoundedBox0Space(), p)),
                 p,
             );
         }
         case OBJECT_CUBE_SPHERE_1: {
-            let space = Space(
-                vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
-                vec4f(0.0, 1.0, 0.0, -1.0),
-                vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
+            its_surface = placedFrom(
+                cubeSphere1Space(),
+                cubeSphere1SurfaceAt(pointInto(cubeSphere1Space(), p)),
+                p,
             );
-            its_surface = placedFrom(space, sphereSurface(pointInto(space, p), vec3f(0.0), 1.5), p);
         }
         case OBJECT_ONE: {
-            let space = Space(
-                vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
-                vec4f(0.0, 1.0, 0.0, -1.0),
-                vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-            );
             its_surface = placedFrom(
-                space,
-                inverted(sphereSurface(pointInto(space, p), vec3f(0.0, 1.12, 0.0), 0.32)),
+                oneSpace(),
+                inverted(oneSurfaceAt(pointInto(oneSpace(), p))),
                 p,
             );
         }
         case OBJECT_TWO_A: {
-            let space = Space(
-                vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
-                vec4f(0.0, 1.0, 0.0, -1.0),
-                vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-            );
             its_surface = placedFrom(
-                space,
-                inverted(sphereSurface(pointInto(space, p), vec3f(-0.45, 0.45, 1.1), 0.24)),
+                twoASpace(),
+                inverted(twoASurfaceAt(pointInto(twoASpace(), p))),
                 p,
             );
         }
         case OBJECT_TWO_B: {
-            let space = Space(
-                vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
-                vec4f(0.0, 1.0, 0.0, -1.0),
-                vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-            );
             its_surface = placedFrom(
-                space,
-                inverted(sphereSurface(pointInto(space, p), vec3f(0.45, -0.45, 1.1), 0.24)),
+                twoBSpace(),
+                inverted(twoBSurfaceAt(pointInto(twoBSpace(), p))),
                 p,
             );
         }
         case OBJECT_THREE_A: {
-            let space = Space(
-                vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
-                vec4f(0.0, 1.0, 0.0, -1.0),
-                vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-            );
             its_surface = placedFrom(
-                space,
-                inverted(sphereSurface(pointInto(space, p), vec3f(1.1, 0.5, -0.5), 0.24)),
+                threeASpace(),
+                inverted(threeASurfaceAt(pointInto(threeASpace(), p))),
                 p,
             );
         }
         case OBJECT_THREE_B: {
-            let space = Space(
-                vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
-                vec4f(0.0, 1.0, 0.0, -1.0),
-                vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-            );
             its_surface = placedFrom(
-                space,
-                inverted(sphereSurface(pointInto(space, p), vec3f(1.1, 0.0, 0.0), 0.24)),
+                threeBSpace(),
+                inverted(threeBSurfaceAt(pointInto(threeBSpace(), p))),
                 p,
             );
         }
         case OBJECT_THREE_C: {
-            let space = Space(
-                vec4f(0.88294756, 0.0, -0.46947157, 1.8653891),
-                vec4f(0.0, 1.0, 0.0, -1.0),
-                vec4f(0.46947157, 0.0, 0.88294756, 0.5388169),
-            );
             its_surface = placedFrom(
-                space,
-                inverted(sphereSurface(pointInto(space, p), vec3f(1.1, -0.5, 0.5), 0.24)),
+                threeCSpace(),
+                inverted(threeCSurfaceAt(pointInto(threeCSpace(), p))),
                 p,
             );
         }
         case OBJECT_CUP_ROUNDEDCYLINDER_0: {
-            let space = Space(
-                vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
-            );
             its_surface = placedFrom(
-                space,
-                roundedCylinderSurface(
-                    pointInto(space, p),
-                    vec3f(0.0),
-                    vec3f(0.0, 1.9, 0.0),
-                    0.85,
-                    0.06,
-                ),
+                cupRoundedCylinder0Space(),
+                cupRoundedCylinder0SurfaceAt(pointInto(cupRoundedCylinder0Space(), p)),
                 p,
             );
         }
         case OBJECT_HOLLOW: {
-            let space = Space(
-                vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
-            );
             its_surface = placedFrom(
-                space,
-                inverted(
-                    roundedCylinderSurface(
-                        pointInto(space, p),
-                        vec3f(0.0, 0.12, 0.0),
-                        vec3f(0.0, 3.0, 0.0),
-                        0.74,
-                        0.1,
-                    ),
-                ),
+                hollowSpace(),
+                inverted(hollowSurfaceAt(pointInto(hollowSpace(), p))),
                 p,
             );
         }
         case OBJECT_RING: {
-            let space = Space(
-                vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
-            );
-            its_surface = placedFrom(
-                space,
-                torusSurface(
-                    pointInto(space, p),
-                    vec3f(0.85, 0.95, 0.0),
-                    vec3f(0.0, 0.0, 1.0),
-                    0.48,
-                    0.1,
-                ),
-                p,
-            );
+            its_surface = placedFrom(ringSpace(), ringSurfaceAt(pointInto(ringSpace(), p)), p);
         }
         case OBJECT_INSIDE: {
-            let space = Space(
-                vec4f(0.81915206, 0.0, 0.57357645, 0.22960058),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(-0.57357645, 0.0, 0.81915206, 1.5483164),
-            );
             its_surface = placedFrom(
-                space,
-                inverted(
-                    cylinderSurface(
-                        pointInto(space, p),
-                        vec3f(0.0, -1.0, 0.0),
-                        vec3f(0.0, 3.0, 0.0),
-                        0.8,
-                    ),
-                ),
+                insideSpace(),
+                inverted(insideSurfaceAt(pointInto(insideSpace(), p))),
                 p,
             );
         }
         case OBJECT_BLANK_HEXPRISM_0: {
-            let space = Space(
-                vec4f(0.9659258, 0.0, -0.25881904, 0.10191834),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.25881904, 0.0, 0.9659258, -1.7326605),
-            );
             its_surface = placedFrom(
-                space,
-                hexPrismSurface(
-                    pointInto(space, p),
-                    vec3f(0.0, 0.3, 0.0),
-                    vec3f(0.0, 1.0, 0.0),
-                    0.8,
-                    0.6,
-                ),
+                blankHexPrism0Space(),
+                blankHexPrism0SurfaceAt(pointInto(blankHexPrism0Space(), p)),
                 p,
             );
         }
         case OBJECT_TURNED: {
-            let space = Space(
-                vec4f(0.9659258, 0.0, -0.25881904, 0.10191834),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.25881904, 0.0, 0.9659258, -1.7326605),
-            );
             its_surface = placedFrom(
-                space,
-                sphereSurface(pointInto(space, p), vec3f(0.0, 0.3, 0.0), 0.82),
+                turnedSpace(),
+                turnedSurfaceAt(pointInto(turnedSpace(), p)),
                 p,
             );
         }
         case OBJECT_BORE: {
-            let space = Space(
-                vec4f(0.9659258, 0.0, -0.25881904, 0.10191834),
-                vec4f(0.0, 1.0, 0.0, 0.0),
-                vec4f(0.25881904, 0.0, 0.9659258, -1.7326605),
-            );
             its_surface = placedFrom(
-                space,
-                inverted(
-                    cylinderSurface(
-                        pointInto(space, p),
-                        vec3f(0.0, -1.0, 0.0),
-                        vec3f(0.0, 2.0, 0.0),
-                        0.42,
-                    ),
-                ),
+                boreSpace(),
+                inverted(boreSurfaceAt(pointInto(boreSpace(), p))),
                 p,
             );
         }
         case OBJECT_FRONT: {
-            let space = Space(
-                vec4f(0.6156615, 0.0, -0.7880108, -1.1279134),
-                vec4f(0.0, 1.0, 0.0, -0.95),
-                vec4f(0.7880108, 0.0, 0.6156615, -2.4182248),
-            );
-            its_surface = placedFrom(
-                space,
-                sphereSurface(pointInto(space, p), vec3f(0.0, 0.0, 1.1), 1.45),
-                p,
-            );
+            its_surface = placedFrom(frontSpace(), frontSurfaceAt(pointInto(frontSpace(), p)), p);
         }
         case OBJECT_BACK: {
-            let space = Space(
-                vec4f(0.6156615, 0.0, -0.7880108, -1.1279134),
-                vec4f(0.0, 1.0, 0.0, -0.95),
-                vec4f(0.7880108, 0.0, 0.6156615, -2.4182248),
-            );
-            its_surface = placedFrom(
-                space,
-                sphereSurface(pointInto(space, p), vec3f(0.0, 0.0, -1.1), 1.45),
-                p,
-            );
+            its_surface = placedFrom(backSpace(), backSurfaceAt(pointInto(backSpace(), p)), p);
         }
-        default: {
-            its_surface = placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        default: { its_surface = placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
     return its_surface;
 }
@@ -742,18 +819,20 @@ fn materialAt(object: u32, at: Surface) -> Material {
              OBJECT_TWO_B,
              OBJECT_THREE_A,
              OBJECT_THREE_B,
-             OBJECT_THREE_C: { return inkMaterial(at); }
+             OBJECT_THREE_C: {
+            return inkMaterial(at);
+        }
         case OBJECT_BLANK_HEXPRISM_0, OBJECT_TURNED, OBJECT_BORE: { return steelMaterial(at); }
         case OBJECT_TABLE: { return tableMaterial(at); }
-        case OBJECT_CUP_ROUNDEDCYLINDER_0,
-             OBJECT_HOLLOW,
-             OBJECT_RING,
-             OBJECT_INSIDE: { return mugMaterial(at); }
+        case OBJECT_CUP_ROUNDEDCYLINDER_0, OBJECT_HOLLOW, OBJECT_RING, OBJECT_INSIDE: {
+            return mugMaterial(at);
+        }
         case OBJECT_FRONT, OBJECT_BACK: { return lensMaterial(at); }
         default: { return matte(vec3f(0.0)); }
     }
 }
 
+/// material "ivory": (color: "#efe6d2", specular: 0.4, shininess: 80)
 fn ivoryMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.8631572, 0.791298, 0.6444797));
     material.specular = 0.4;
@@ -761,12 +840,14 @@ fn ivoryMaterial(at: Surface) -> Material {
     return material;
 }
 
+/// material "ink": (color: "#2a2730", specular: 0.3)
 fn inkMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.023153368, 0.020288564, 0.029556835));
     material.specular = 0.3;
     return material;
 }
 
+/// material "steel": (color: "#9aa4ad", specular: 0.8, shininess: 120, reflectivity: 0.25)
 fn steelMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.32314324, 0.3712377, 0.4178851));
     material.specular = 0.8;
@@ -775,6 +856,7 @@ fn steelMaterial(at: Surface) -> Material {
     return material;
 }
 
+/// material "table": (color: Wood(scale: 0.8), reflectivity: 0.04, fresnel: 5)
 fn tableMaterial(at: Surface) -> Material {
     var material = matte(
         wood(
@@ -792,6 +874,7 @@ fn tableMaterial(at: Surface) -> Material {
     return material;
 }
 
+/// material "mug": (color: "#3f6f8f", specular: 0.5, reflectivity: 0.05, fresnel: 5)
 fn mugMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.049706567, 0.15896083, 0.27467734));
     material.specular = 0.5;
@@ -800,6 +883,7 @@ fn mugMaterial(at: Surface) -> Material {
     return material;
 }
 
+/// material "lens": (color: 0.02, specular: 0.6, reflectivity: 0.04, fresnel: 5, transmission: 1, …
 fn lensMaterial(at: Surface) -> Material {
     var material = matte(vec3f(0.02));
     material.specular = 0.6;

@@ -16,44 +16,66 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "floor": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_FLOOR);
-    // objects[1] "Sphere 1": Sphere(center: (-2.6, 1, 0))
-    hit = nearer(hit, sphere(ray, vec3f(-2.6, 1.0, 0.0), 1.0), OBJECT_SPHERE_1);
-    // objects[2] "Sphere 2": Sphere(center: (0, 1, 0))
-    hit = nearer(hit, sphere(ray, vec3f(0.0, 1.0, 0.0), 1.0), OBJECT_SPHERE_2);
-    // objects[3] "Sphere 3": Sphere(center: (2.6, 1, 0))
-    hit = nearer(hit, sphere(ray, vec3f(2.6, 1.0, 0.0), 1.0), OBJECT_SPHERE_3);
+    hit = nearer(hit, floorCrossing(ray), OBJECT_FLOOR);
+    hit = nearer(hit, sphere1Crossing(ray), OBJECT_SPHERE_1);
+    hit = nearer(hit, sphere2Crossing(ray), OBJECT_SPHERE_2);
+    hit = nearer(hit, sphere3Crossing(ray), OBJECT_SPHERE_3);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(-2.6, 1.0, 0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(0.0, 1.0, 0.0), 1.0) < NO_HIT { return true; }
-    if sphere(ray, vec3f(2.6, 1.0, 0.0), 1.0) < NO_HIT { return true; }
+    if floorCrossing(ray) < NO_HIT { return true; }
+    if sphere1Crossing(ray) < NO_HIT { return true; }
+    if sphere2Crossing(ray) < NO_HIT { return true; }
+    if sphere3Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "floor": Plane()
+fn floorCrossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn floorSurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// objects[1] "Sphere 1": Sphere(center: (-2.6, 1, 0))
+fn sphere1Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(-2.6, 1.0, 0.0), 1.0);
+}
+
+fn sphere1SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(-2.6, 1.0, 0.0), 1.0);
+}
+
+/// objects[2] "Sphere 2": Sphere(center: (0, 1, 0))
+fn sphere2Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0, 1.0, 0.0), 1.0);
+}
+
+fn sphere2SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0, 1.0, 0.0), 1.0);
+}
+
+/// objects[3] "Sphere 3": Sphere(center: (2.6, 1, 0))
+fn sphere3Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(2.6, 1.0, 0.0), 1.0);
+}
+
+fn sphere3SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(2.6, 1.0, 0.0), 1.0);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_FLOOR: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
-        case OBJECT_SPHERE_1: {
-            return placed(sphereSurface(p, vec3f(-2.6, 1.0, 0.0), 1.0), p);
-        }
-        case OBJECT_SPHERE_2: {
-            return placed(sphereSurface(p, vec3f(0.0, 1.0, 0.0), 1.0), p);
-        }
-        case OBJECT_SPHERE_3: {
-            return placed(sphereSurface(p, vec3f(2.6, 1.0, 0.0), 1.0), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_FLOOR: { return placed(floorSurfaceAt(p), p); }
+        case OBJECT_SPHERE_1: { return placed(sphere1SurfaceAt(p), p); }
+        case OBJECT_SPHERE_2: { return placed(sphere2SurfaceAt(p), p); }
+        case OBJECT_SPHERE_3: { return placed(sphere3SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -68,6 +90,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "floor": (color: Checker(scale: 1, even: Noise(scale: 6), odd: Stripes(scale: 4, even:…
 fn floorMaterial(at: Surface) -> Material {
     return matte(
         checker(
@@ -84,12 +107,14 @@ fn floorMaterial(at: Surface) -> Material {
     );
 }
 
+/// material "Sphere 1": (color: "veins", specular: 0.4)
 fn sphere1Material(at: Surface) -> Material {
     var material = matte(veinsTexture(at));
     material.specular = 0.4;
     return material;
 }
 
+/// material "Sphere 2": (color: Brick(scale: 3, joint: Noise(scale: 20)), bump: (height: Brick(sca…
 fn sphere2Material(at: Surface) -> Material {
     return matte(
         brick(
@@ -105,6 +130,7 @@ fn sphere2Material(at: Surface) -> Material {
     );
 }
 
+/// material "Sphere 3": (color: Marble(scale: 2, at: Turbulence(amount: 0.4, scale: 2)), specular:…
 fn sphere3Material(at: Surface) -> Material {
     let at1 = turbulence(at, 0.4, 2.0, 4u);
     var material = matte(
@@ -161,7 +187,7 @@ fn ambientLight() -> vec3f {
     return vec3f(0.2);
 }
 
-/// textures: "veins"
+/// texture "veins": Ramp(by: Fbm(octaves: 5, scale: 2), stops: [(0.0, "#2b2118"), (0.45, "#8a6a4a"…
 fn veinsTexture(at: Surface) -> vec3f {
     let by1 = fbm(at, 2.0, 5u, 2.0, 0.5);
     var ramp2 = vec3f(0.024157634, 0.015208516, 0.009134059);

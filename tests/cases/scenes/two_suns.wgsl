@@ -12,26 +12,30 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Sphere 0": Sphere(radius: 1)
-    hit = nearer(hit, sphere(ray, vec3f(0.0), 1.0), OBJECT_SPHERE_0);
+    hit = nearer(hit, sphere0Crossing(ray), OBJECT_SPHERE_0);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if sphere(ray, vec3f(0.0), 1.0) < NO_HIT { return true; }
+    if sphere0Crossing(ray) < NO_HIT { return true; }
     return false;
+}
+
+/// objects[0] "Sphere 0": Sphere(radius: 1)
+fn sphere0Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.0);
+}
+
+fn sphere0SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.0);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_SPHERE_0: {
-            return placed(sphereSurface(p, vec3f(0.0), 1.0), p);
-        }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        case OBJECT_SPHERE_0: { return placed(sphere0SurfaceAt(p), p); }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -43,6 +47,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Sphere 0": (color: (0.8, 0.75, 0.7))
 fn sphere0Material(at: Surface) -> Material {
     return matte(vec3f(0.8, 0.75, 0.7));
 }
@@ -70,12 +75,12 @@ fn ambientLight() -> vec3f {
 fn lightAt(index: u32, p: vec3f) -> Light {
     switch index {
         // lights[0]: Directional(direction: (-1, -1, -1), color: (1.0, 0.8, 0.6), intensity: 0.9)
-        case 0u: { return directionalLight(vec3f(-0.57735026), 0.0, vec3f(0.9, 0.71999997, 0.54)); }
+        case 0u: { return directionalLight(vec3f(-0.57735026), 0.0, vec3f(0.9, 0.72, 0.54)); }
         // lights[1]: Directional(direction: (2, 0.5, -0.5), color: (0.3, 0.4, 1.0), intensity: 0.7)
         case 1u: { return directionalLight(
             vec3f(0.9428091, 0.23570228, -0.23570228),
             0.0,
-            vec3f(0.21000001, 0.28, 0.7),
+            vec3f(0.21, 0.28, 0.7),
         ); }
         default: { return pointLight(p, p, 0.0, vec3f(0.0)); }
     }

@@ -13,15 +13,7 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // "dome": Intersection(bounds: (min: (-2, -1, -2), max: (2, 2, 2)), translate: (0, 1, 0))
-    if meetsBounds(
-        rayInto(
-            Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -1.0), vec4f(0.0, 0.0, 1.0, 0.0)),
-            ray,
-        ),
-        vec3f(-2.0, -1.0, -2.0),
-        vec3f(2.0),
-    ) {
+    if domeInReach(ray) {
         hit = nearerCrossing(hit, domeSolid(ray));
     }
     return hit;
@@ -29,90 +21,111 @@ fn rayTraceScene(ray: Ray) -> Hit {
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if meetsBounds(
+    if domeInReach(ray) {
+        if domeSolid(ray).t < NO_HIT { return true; }
+    }
+    return false;
+}
+
+/// "dome Sphere 0": Sphere(radius: 1.5)
+fn domeSphere0Crossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.0), 1.5);
+}
+
+fn domeSphere0SurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.0), 1.5);
+}
+
+fn domeSphere0Space() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -1.0), vec4f(0.0, 0.0, 1.0, 0.0));
+}
+
+/// "dome Plane 1": Plane(normal: (0, -1, 0), translate: (0, -0.5, 0))
+fn domePlane1Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, -1.0, 0.0), 0.0);
+}
+
+fn domePlane1SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, -1.0, 0.0), 0.0);
+}
+
+fn domePlane1Holds(p: vec3f) -> bool {
+    return planeContains(p, vec3f(0.0, -1.0, 0.0), 0.0);
+}
+
+fn domePlane1Space() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -0.5), vec4f(0.0, 0.0, 1.0, 0.0));
+}
+
+/// objects[0] "dome": Intersection(bounds: (min: (-2, -1, -2), max: (2, 2, 2)), translate: (0, 1, …
+fn domeSolid(ray: Ray) -> Crossing {
+    var rest = ray;
+    var moved0 = rayInto(domeSphere0Space(), ray);
+    var moved1 = rayInto(domePlane1Space(), ray);
+    var sphere_0_part = notAsked();
+    var plane_1_part = notAsked();
+    for (var i = 0u; i < MAX_CROSSINGS; i++) {
+        if sphere_0_part.t <= rest.t_min {
+            let t = domeSphere0Crossing(moved0);
+            let on = domeSphere0SurfaceAt(pointAt(moved0, t));
+            sphere_0_part = crossing(moved0, t, OBJECT_DOME_SPHERE_0, on.geometric_normal);
+        }
+        if plane_1_part.t <= rest.t_min {
+            let t = domePlane1Crossing(moved1);
+            let on = domePlane1SurfaceAt(pointAt(moved1, t));
+            plane_1_part = crossing(moved1, t, OBJECT_DOME_PLANE_1, on.geometric_normal);
+            if t >= NO_HIT { plane_1_part.leaves = domePlane1Holds(pointBeyond(moved1)); }
+        }
+        let t = min(sphere_0_part.t, plane_1_part.t);
+        if t >= NO_HIT { break; }
+        rest.t_min = sameUpTo(rest, t);
+        moved0.t_min = rest.t_min;
+        moved1.t_min = rest.t_min;
+        let sphere_0_turns = sphere_0_part.t <= rest.t_min;
+        let plane_1_turns = plane_1_part.t <= rest.t_min;
+        let before = sphere_0_part.leaves && plane_1_part.leaves;
+        let behind = sphere_0_part.leaves != sphere_0_turns && plane_1_part.leaves != plane_1_turns;
+        if before != behind {
+            return Crossing(
+                t,
+                select(plane_1_part.object, sphere_0_part.object, sphere_0_turns),
+                before,
+            );
+        }
+    }
+    return Crossing(NO_HIT, NO_OBJECT, false);
+}
+
+/// Whether `ray` meets the bounds of "dome".
+fn domeInReach(ray: Ray) -> bool {
+    return meetsBounds(
         rayInto(
             Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -1.0), vec4f(0.0, 0.0, 1.0, 0.0)),
             ray,
         ),
         vec3f(-2.0, -1.0, -2.0),
         vec3f(2.0),
-    ) {
-        if domeSolid(ray).t < NO_HIT { return true; }
-    }
-    return false;
-}
-
-/// "dome": Intersection(bounds: (min: (-2, -1, -2), max: (2, 2, 2)), translate: (0, 1, 0))
-fn domeSolid(ray: Ray) -> Crossing {
-    var rest = ray;
-    var moved0 = rayInto(
-        Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -1.0), vec4f(0.0, 0.0, 1.0, 0.0)),
-        ray,
     );
-    var moved1 = rayInto(
-        Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -0.5), vec4f(0.0, 0.0, 1.0, 0.0)),
-        ray,
-    );
-    var sphere0Part = notAsked();
-    var plane1Part = notAsked();
-    for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if sphere0Part.t <= rest.t_min {
-            let t = sphere(moved0, vec3f(0.0), 1.5);
-            let on = sphereSurface(pointAt(moved0, t), vec3f(0.0), 1.5);
-            sphere0Part = crossing(moved0, t, OBJECT_DOME_SPHERE_0, on.geometric_normal);
-        }
-        if plane1Part.t <= rest.t_min {
-            let t = plane(moved1, vec3f(0.0, -1.0, 0.0), 0.0);
-            let on = planeSurface(pointAt(moved1, t), vec3f(0.0, -1.0, 0.0), 0.0);
-            plane1Part = crossing(moved1, t, OBJECT_DOME_PLANE_1, on.geometric_normal);
-            if t >= NO_HIT { plane1Part.leaves = planeContains(
-                pointBeyond(moved1),
-                vec3f(0.0, -1.0, 0.0),
-                0.0,
-            ); }
-        }
-        let t = min(sphere0Part.t, plane1Part.t);
-        if t >= NO_HIT { break; }
-        rest.t_min = sameUpTo(rest, t);
-        moved0.t_min = rest.t_min;
-        moved1.t_min = rest.t_min;
-        let sphere0Turns = sphere0Part.t <= rest.t_min;
-        let plane1Turns = plane1Part.t <= rest.t_min;
-        let before = sphere0Part.leaves && plane1Part.leaves;
-        let behind = sphere0Part.leaves != sphere0Turns && plane1Part.leaves != plane1Turns;
-        if before != behind {
-            return Crossing(t, select(plane1Part.object, sphere0Part.object, sphere0Turns), before);
-        }
-    }
-    return Crossing(NO_HIT, NO_OBJECT, false);
 }
 
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
         case OBJECT_DOME_SPHERE_0: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, 0.0),
-                vec4f(0.0, 1.0, 0.0, -1.0),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            );
-            return placedFrom(space, sphereSurface(pointInto(space, p), vec3f(0.0), 1.5), p);
-        }
-        case OBJECT_DOME_PLANE_1: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, 0.0),
-                vec4f(0.0, 1.0, 0.0, -0.5),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            );
             return placedFrom(
-                space,
-                planeSurface(pointInto(space, p), vec3f(0.0, -1.0, 0.0), 0.0),
+                domeSphere0Space(),
+                domeSphere0SurfaceAt(pointInto(domeSphere0Space(), p)),
                 p,
             );
         }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
+        case OBJECT_DOME_PLANE_1: {
+            return placedFrom(
+                domePlane1Space(),
+                domePlane1SurfaceAt(pointInto(domePlane1Space(), p)),
+                p,
+            );
         }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -125,10 +138,12 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "dome Sphere 0"
 fn domeSphere0Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "dome Plane 1"
 fn domePlane1Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }

@@ -15,101 +15,101 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // objects[0] "Plane 0": Plane()
-    hit = nearer(hit, plane(ray, vec3f(0.0, 1.0, 0.0), 0.0), OBJECT_PLANE_0);
-    // objects[1] "pebble": Pebble(min: (-0.6, 0, -0.4), translate: (0, 0.2, 0))
-    hit = nearer(
-        hit,
-        pebble(
-            rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, 0.0),
-                    vec4f(0.0, 1.0, 0.0, -0.2),
-                    vec4f(0.0, 0.0, 1.0, 0.0),
-                ),
-                ray,
-            ),
-            vec3f(-0.6, 0.0, -0.4),
-            vec3f(0.5, 0.4, 0.5),
-            0.15,
-        ),
-        OBJECT_PEBBLE,
-    );
-    // "bitten": Difference()
+    hit = nearer(hit, plane0Crossing(ray), OBJECT_PLANE_0);
+    hit = nearer(hit, pebbleCrossing(rayInto(pebbleSpace(), ray)), OBJECT_PEBBLE);
     hit = nearerCrossing(hit, bittenSolid(ray));
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
-    if plane(ray, vec3f(0.0, 1.0, 0.0), 0.0) < NO_HIT { return true; }
-    if pebble(
-        rayInto(
-            Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -0.2), vec4f(0.0, 0.0, 1.0, 0.0)),
-            ray,
-        ),
-        vec3f(-0.6, 0.0, -0.4),
-        vec3f(0.5, 0.4, 0.5),
-        0.15,
-    ) < NO_HIT { return true; }
+    if plane0Crossing(ray) < NO_HIT { return true; }
+    if pebbleCrossing(rayInto(pebbleSpace(), ray)) < NO_HIT { return true; }
     if bittenSolid(ray).t < NO_HIT { return true; }
     return false;
 }
 
-/// "bitten": Difference()
+/// objects[0] "Plane 0": Plane()
+fn plane0Crossing(ray: Ray) -> f32 {
+    return plane(ray, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+fn plane0SurfaceAt(p: vec3f) -> Surface {
+    return planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0);
+}
+
+/// objects[1] "pebble": Pebble(min: (-0.6, 0, -0.4), translate: (0, 0.2, 0))
+fn pebbleCrossing(ray: Ray) -> f32 {
+    return pebble(ray, vec3f(-0.6, 0.0, -0.4), vec3f(0.5, 0.4, 0.5), 0.15);
+}
+
+fn pebbleSurfaceAt(p: vec3f) -> Surface {
+    return pebbleSurface(p, vec3f(-0.6, 0.0, -0.4), vec3f(0.5, 0.4, 0.5), 0.15);
+}
+
+fn pebbleSpace() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -0.2), vec4f(0.0, 0.0, 1.0, 0.0));
+}
+
+/// "balls": SmoothBalls(translate: (0, 0.9, -1))
+fn ballsCrossing(ray: Ray) -> f32 {
+    return smoothBalls(ray, vec3f(-0.6, 0.0, 0.0), vec3f(0.7, 0.3, 0.0), 0.8, 0.55, 0.5);
+}
+
+fn ballsSurfaceAt(p: vec3f) -> Surface {
+    return smoothBallsSurface(p, vec3f(-0.6, 0.0, 0.0), vec3f(0.7, 0.3, 0.0), 0.8, 0.55, 0.5);
+}
+
+fn ballsSpace() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -0.9), vec4f(0.0, 0.0, 1.0, 1.0));
+}
+
+/// "bitten Pebble 1": Pebble(translate: (-0.6, 0.9, -0.2))
+fn bittenPebble1Crossing(ray: Ray) -> f32 {
+    return pebble(ray, vec3f(-0.5, 0.0, -0.5), vec3f(0.5, 0.4, 0.5), 0.15);
+}
+
+fn bittenPebble1SurfaceAt(p: vec3f) -> Surface {
+    return pebbleSurface(p, vec3f(-0.5, 0.0, -0.5), vec3f(0.5, 0.4, 0.5), 0.15);
+}
+
+fn bittenPebble1Space() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, 0.6), vec4f(0.0, 1.0, 0.0, -0.9), vec4f(0.0, 0.0, 1.0, 0.2));
+}
+
+/// objects[2] "bitten": Difference()
 fn bittenSolid(ray: Ray) -> Crossing {
     var rest = ray;
-    var moved0 = rayInto(
-        Space(vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0, 1.0, 0.0, -0.9), vec4f(0.0, 0.0, 1.0, 1.0)),
-        ray,
-    );
-    var moved1 = rayInto(
-        Space(vec4f(1.0, 0.0, 0.0, 0.6), vec4f(0.0, 1.0, 0.0, -0.9), vec4f(0.0, 0.0, 1.0, 0.2)),
-        ray,
-    );
-    var ballsPart = notAsked();
-    var pebble1Part = notAsked();
+    var moved0 = rayInto(ballsSpace(), ray);
+    var moved1 = rayInto(bittenPebble1Space(), ray);
+    var balls_part = notAsked();
+    var pebble_1_part = notAsked();
     for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if ballsPart.t <= rest.t_min {
-            let t = smoothBalls(
-                moved0,
-                vec3f(-0.6, 0.0, 0.0),
-                vec3f(0.7, 0.3, 0.0),
-                0.8,
-                0.55,
-                0.5,
-            );
-            let on = smoothBallsSurface(
-                pointAt(moved0, t),
-                vec3f(-0.6, 0.0, 0.0),
-                vec3f(0.7, 0.3, 0.0),
-                0.8,
-                0.55,
-                0.5,
-            );
-            ballsPart = crossing(moved0, t, OBJECT_BALLS, on.geometric_normal);
+        if balls_part.t <= rest.t_min {
+            let t = ballsCrossing(moved0);
+            let on = ballsSurfaceAt(pointAt(moved0, t));
+            balls_part = crossing(moved0, t, OBJECT_BALLS, on.geometric_normal);
         }
-        if pebble1Part.t <= rest.t_min {
-            let t = pebble(moved1, vec3f(-0.5, 0.0, -0.5), vec3f(0.5, 0.4, 0.5), 0.15);
-            let on = pebbleSurface(
-                pointAt(moved1, t),
-                vec3f(-0.5, 0.0, -0.5),
-                vec3f(0.5, 0.4, 0.5),
-                0.15,
-            );
-            pebble1Part = crossing(moved1, t, OBJECT_BITTEN_PEBBLE_1, on.geometric_normal);
+        if pebble_1_part.t <= rest.t_min {
+            let t = bittenPebble1Crossing(moved1);
+            let on = bittenPebble1SurfaceAt(pointAt(moved1, t));
+            pebble_1_part = crossing(moved1, t, OBJECT_BITTEN_PEBBLE_1, on.geometric_normal);
         }
-        let t = min(ballsPart.t, pebble1Part.t);
+        let t = min(balls_part.t, pebble_1_part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(rest, t);
         moved0.t_min = rest.t_min;
         moved1.t_min = rest.t_min;
-        let ballsTurns = ballsPart.t <= rest.t_min;
-        let pebble1Turns = pebble1Part.t <= rest.t_min;
-        let before = ballsPart.leaves && !pebble1Part.leaves;
-        let behind = ballsPart.leaves != ballsTurns && pebble1Part.leaves == pebble1Turns;
+        let balls_turns = balls_part.t <= rest.t_min;
+        let pebble_1_turns = pebble_1_part.t <= rest.t_min;
+        let before = balls_part.leaves && !pebble_1_part.leaves;
+        let behind = balls_part.leaves != balls_turns && pebble_1_part.leaves == pebble_1_turns;
         if before != behind {
-            return Crossing(t, select(pebble1Part.object, ballsPart.object, ballsTurns), before);
+            return Crossing(
+                t,
+                select(pebble_1_part.object, balls_part.object, balls_turns),
+                before,
+            );
         }
     }
     return Crossing(NO_HIT, NO_OBJECT, false);
@@ -118,67 +118,21 @@ fn bittenSolid(ray: Ray) -> Crossing {
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_PLANE_0: {
-            return placed(planeSurface(p, vec3f(0.0, 1.0, 0.0), 0.0), p);
-        }
+        case OBJECT_PLANE_0: { return placed(plane0SurfaceAt(p), p); }
         case OBJECT_PEBBLE: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, 0.0),
-                vec4f(0.0, 1.0, 0.0, -0.2),
-                vec4f(0.0, 0.0, 1.0, 0.0),
-            );
-            return placedFrom(
-                space,
-                pebbleSurface(
-                    pointInto(space, p),
-                    vec3f(-0.6, 0.0, -0.4),
-                    vec3f(0.5, 0.4, 0.5),
-                    0.15,
-                ),
-                p,
-            );
+            return placedFrom(pebbleSpace(), pebbleSurfaceAt(pointInto(pebbleSpace(), p)), p);
         }
         case OBJECT_BALLS: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, 0.0),
-                vec4f(0.0, 1.0, 0.0, -0.9),
-                vec4f(0.0, 0.0, 1.0, 1.0),
-            );
-            return placedFrom(
-                space,
-                smoothBallsSurface(
-                    pointInto(space, p),
-                    vec3f(-0.6, 0.0, 0.0),
-                    vec3f(0.7, 0.3, 0.0),
-                    0.8,
-                    0.55,
-                    0.5,
-                ),
-                p,
-            );
+            return placedFrom(ballsSpace(), ballsSurfaceAt(pointInto(ballsSpace(), p)), p);
         }
         case OBJECT_BITTEN_PEBBLE_1: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, 0.6),
-                vec4f(0.0, 1.0, 0.0, -0.9),
-                vec4f(0.0, 0.0, 1.0, 0.2),
-            );
             return placedFrom(
-                space,
-                inverted(
-                    pebbleSurface(
-                        pointInto(space, p),
-                        vec3f(-0.5, 0.0, -0.5),
-                        vec3f(0.5, 0.4, 0.5),
-                        0.15,
-                    ),
-                ),
+                bittenPebble1Space(),
+                inverted(bittenPebble1SurfaceAt(pointInto(bittenPebble1Space(), p))),
                 p,
             );
         }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -264,18 +218,22 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "Plane 0"
 fn plane0Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "pebble": (color: "tan")
 fn pebbleMaterial(at: Surface) -> Material {
     return matte(vec3f(0.6444797, 0.45641103, 0.2622507));
 }
 
+/// material "balls"
 fn ballsMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
+/// material "bitten Pebble 1"
 fn bittenPebble1Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }

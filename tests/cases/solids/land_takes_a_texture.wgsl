@@ -15,63 +15,60 @@ const TRANSMITS: bool = false;
 /// The nearest object that `ray` meets.
 fn rayTraceScene(ray: Ray) -> Hit {
     var hit = noHit(ray);
-    // "valley": Difference()
     hit = nearerCrossing(hit, valleySolid(ray));
-    // objects[2] "SmoothBalls 1": SmoothBalls(translate: (-0.7, 1.1, -0.5), blend: LinearGradient(…
-    hit = nearer(
-        hit,
-        smoothBalls1Field(
-            rayInto(
-                Space(
-                    vec4f(1.0, 0.0, 0.0, 0.7),
-                    vec4f(0.0, 1.0, 0.0, -1.1),
-                    vec4f(0.0, 0.0, 1.0, 0.5),
-                ),
-                ray,
-            ),
-        ),
-        OBJECT_SMOOTHBALLS_1,
-    );
+    hit = nearer(hit, smoothBalls1Field(rayInto(smoothBalls1Space(), ray)), OBJECT_SMOOTHBALLS_1);
     return hit;
 }
 
 /// Whether anything that casts a shadow lies on `ray`.
 fn sceneBlocks(ray: Ray) -> bool {
     if valleySolid(ray).t < NO_HIT { return true; }
-    if smoothBalls1Field(
-        rayInto(
-            Space(vec4f(1.0, 0.0, 0.0, 0.7), vec4f(0.0, 1.0, 0.0, -1.1), vec4f(0.0, 0.0, 1.0, 0.5)),
-            ray,
-        ),
-    ) < NO_HIT { return true; }
+    if smoothBalls1Field(rayInto(smoothBalls1Space(), ray)) < NO_HIT { return true; }
     return false;
 }
 
-/// "valley": Difference()
+/// "land": Heightfield(height: "hills", size: (4, 1, 3))
+
+/// "crater": Sphere(center: (0.6, 0.8, 0.5), radius: 0.7)
+fn craterCrossing(ray: Ray) -> f32 {
+    return sphere(ray, vec3f(0.6, 0.8, 0.5), 0.7);
+}
+
+fn craterSurfaceAt(p: vec3f) -> Surface {
+    return sphereSurface(p, vec3f(0.6, 0.8, 0.5), 0.7);
+}
+
+/// objects[1] "SmoothBalls 1": SmoothBalls(translate: (-0.7, 1.1, -0.5), blend: LinearGradient(sta…
+
+fn smoothBalls1Space() -> Space {
+    return Space(vec4f(1.0, 0.0, 0.0, 0.7), vec4f(0.0, 1.0, 0.0, -1.1), vec4f(0.0, 0.0, 1.0, 0.5));
+}
+
+/// objects[0] "valley": Difference()
 fn valleySolid(ray: Ray) -> Crossing {
     var rest = ray;
-    var landPart = notAsked();
-    var craterPart = notAsked();
+    var land_part = notAsked();
+    var crater_part = notAsked();
     for (var i = 0u; i < MAX_CROSSINGS; i++) {
-        if landPart.t <= rest.t_min {
+        if land_part.t <= rest.t_min {
             let t = landField(rest);
             let on = landFieldSurface(pointAt(rest, t));
-            landPart = crossing(rest, t, OBJECT_LAND, on.geometric_normal);
+            land_part = crossing(rest, t, OBJECT_LAND, on.geometric_normal);
         }
-        if craterPart.t <= rest.t_min {
-            let t = sphere(rest, vec3f(0.6, 0.8, 0.5), 0.7);
-            let on = sphereSurface(pointAt(rest, t), vec3f(0.6, 0.8, 0.5), 0.7);
-            craterPart = crossing(rest, t, OBJECT_CRATER, on.geometric_normal);
+        if crater_part.t <= rest.t_min {
+            let t = craterCrossing(rest);
+            let on = craterSurfaceAt(pointAt(rest, t));
+            crater_part = crossing(rest, t, OBJECT_CRATER, on.geometric_normal);
         }
-        let t = min(landPart.t, craterPart.t);
+        let t = min(land_part.t, crater_part.t);
         if t >= NO_HIT { break; }
         rest.t_min = sameUpTo(rest, t);
-        let landTurns = landPart.t <= rest.t_min;
-        let craterTurns = craterPart.t <= rest.t_min;
-        let before = landPart.leaves && !craterPart.leaves;
-        let behind = landPart.leaves != landTurns && craterPart.leaves == craterTurns;
+        let land_turns = land_part.t <= rest.t_min;
+        let crater_turns = crater_part.t <= rest.t_min;
+        let before = land_part.leaves && !crater_part.leaves;
+        let behind = land_part.leaves != land_turns && crater_part.leaves == crater_turns;
         if before != behind {
-            return Crossing(t, select(craterPart.object, landPart.object, landTurns), before);
+            return Crossing(t, select(crater_part.object, land_part.object, land_turns), before);
         }
     }
     return Crossing(NO_HIT, NO_OBJECT, false);
@@ -80,23 +77,16 @@ fn valleySolid(ray: Ray) -> Crossing {
 /// The surface of `object` at the world point `p`.
 fn surfaceAt(object: u32, p: vec3f) -> Placed {
     switch object {
-        case OBJECT_LAND: {
-            return placed(landFieldSurface(p), p);
-        }
-        case OBJECT_CRATER: {
-            return placed(inverted(sphereSurface(p, vec3f(0.6, 0.8, 0.5), 0.7)), p);
-        }
+        case OBJECT_LAND: { return placed(landFieldSurface(p), p); }
+        case OBJECT_CRATER: { return placed(inverted(craterSurfaceAt(p)), p); }
         case OBJECT_SMOOTHBALLS_1: {
-            let space = Space(
-                vec4f(1.0, 0.0, 0.0, 0.7),
-                vec4f(0.0, 1.0, 0.0, -1.1),
-                vec4f(0.0, 0.0, 1.0, 0.5),
+            return placedFrom(
+                smoothBalls1Space(),
+                smoothBalls1FieldSurface(pointInto(smoothBalls1Space(), p)),
+                p,
             );
-            return placedFrom(space, smoothBalls1FieldSurface(pointInto(space, p)), p);
         }
-        default: {
-            return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p);
-        }
+        default: { return placed(surface(p, vec3f(0.0, 1.0, 0.0), vec2f(0.0)), p); }
     }
 }
 
@@ -181,14 +171,17 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
+/// material "land": (color: "#8a9a5b")
 fn landMaterial(at: Surface) -> Material {
     return matte(vec3f(0.25415212, 0.32314324, 0.10461649));
 }
 
+/// material "crater": (color: "#7a5a44")
 fn craterMaterial(at: Surface) -> Material {
     return matte(vec3f(0.19461784, 0.10224174, 0.057805438));
 }
 
+/// material "SmoothBalls 1"
 fn smoothBalls1Material(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
@@ -212,7 +205,7 @@ fn ambientLight() -> vec3f {
     return vec3f(0.1);
 }
 
-/// textures: "hills"
+/// texture "hills": Fbm(scale: 0.8, octaves: 4)
 fn hillsTexture(at: Surface) -> f32 {
     return fbm(at, 0.8, 4u, 2.0, 0.5);
 }
