@@ -1,7 +1,7 @@
 //! Pictures of a scene as files: stills, numbered frames and movies.
 //!
 //! In: a [`Shot`]. Out: the bytes of a picture, or files. Each file takes its name once it is whole, and a
-//! PNG carries the scene that it shows. Who waits is told the share done, 0 to 1, some ten times a second,
+//! PNG carries the scene that it shows. `progress` gets the share done, 0 to 1, some ten times a second,
 //! and may stop it.
 
 mod encode;

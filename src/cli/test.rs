@@ -67,7 +67,7 @@ fn chosen(options: &TestOptions, sources: &Sources, goldens: &Goldens) -> Result
 /// More devices than this only keep each other from the processors.
 const MAX_JOBS: usize = 8;
 
-/// A device for each thread. Unless told otherwise the software driver draws, if there is one: its pictures
+/// A device for each thread. If no adapter is named, the software driver draws, if there is one: its pictures
 /// are the same on every machine.
 fn devices(options: &TestOptions, cases: usize) -> Result<Vec<Gpu>> {
     let first = match &options.adapter {

@@ -1,4 +1,4 @@
-//! What differs between two texts, two pictures, two scenes: told to people, to programs and in a browser.
+//! Differences between two texts, two pictures, two scenes: reports for people, programs and browsers.
 //!
 //! In: the two. Out: a [`TextDifference`], a [`PictureDifference`] or a [`SceneDifference`], and texts about
 //! them.

@@ -35,7 +35,7 @@ pub struct Drawing {
 }
 
 impl PictureDifference {
-    /// What differs between the pictures of two scenes, each with its own camera. `progress` is told the
+    /// What differs between the pictures of two scenes, each with its own camera. `progress` gets the
     /// share done.
     ///
     /// # Errors

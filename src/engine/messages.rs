@@ -1,4 +1,4 @@
-//! What the painter and the window tell each other.
+//! Messages between the painter and the window.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};

@@ -54,7 +54,7 @@ impl Beside {
         beside
     }
 
-    /// Lays a texture behind the others, and tells of it.
+    /// Lays a texture behind the others, and returns its description.
     fn put(&mut self, Texels { format, size: [width, height], levels, files, .. }: &Texels) -> String {
         let start = self.texels.len().next_multiple_of(ALIGNMENT);
         self.texels.resize(start, 0);

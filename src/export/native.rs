@@ -78,7 +78,7 @@ pub fn msl(scene: &Scene, alone: &Standalone) -> Result<String, ExportError> {
 
 pub fn hlsl(scene: &Scene, alone: &Standalone) -> Result<String, ExportError> {
     let Standalone { module, info, .. } = alone;
-    // Bindings that no map tells of become registers of the same numbers, in the space of their group.
+    // Bindings that are in no map become registers of the same numbers, in the space of their group.
     let options = hlsl::Options { force_loop_bounding: false, ..Default::default() };
     let pipeline = hlsl::PipelineOptions::default();
     let mut text = String::new();

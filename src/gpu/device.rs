@@ -111,7 +111,7 @@ impl Gpu {
         // Other threads may fail over it before they hear of it.
         self.lost.store(true, Ordering::Relaxed);
         self.device.destroy();
-        // Only a look at the device makes it tell.
+        // A device reports only while it is polled.
         let _ = self.device.poll(wgpu::PollType::Poll);
     }
 
@@ -215,7 +215,7 @@ impl Gpu {
         });
         self.wait()?;
         let lost = |why: String| GpuError::Lost(why);
-        // Another thread that waits too may have taken this news, and be about to tell it.
+        // Another thread that waits too may have taken this news, and be about to report it.
         let mapped = receiver.recv_timeout(PATIENCE).map_err(|e| lost(e.to_string()))?;
         mapped.map_err(|e| lost(e.to_string()))?;
         let bytes = buffer.slice(..).get_mapped_range().map_err(|e| lost(e.to_string()))?;

@@ -1,4 +1,4 @@
-//! What a draw tells of loops that had to be ended: see shaders/guard.wgsl.
+//! The report of a draw about loops that had to be ended: see shaders/guard.wgsl.
 //!
 //! In: a scene with loops of its author's. Out: which of them went on for too long.
 
@@ -8,7 +8,7 @@ use super::{Gpu, GpuError};
 use crate::compile::Compiled;
 use crate::diagnostic::Report;
 
-/// The number of the loop that was ended, on the GPU, and what to tell of each loop.
+/// The number of the loop that was ended, on the GPU, and the report of each loop.
 #[derive(Debug)]
 pub(super) struct Guard {
     ended: wgpu::Buffer,
@@ -21,7 +21,7 @@ const NUMBER_BYTES: u64 = 4;
 
 impl Guard {
     /// # Errors
-    /// Where the scene needs a guard, and the GPU cannot tell what a draw has met.
+    /// If the scene needs a guard, and the GPU cannot report what a draw has met.
     pub fn check(gpu: &Gpu, compiled: &Compiled) -> Result<(), GpuError> {
         let flags = gpu.adapter.get_downlevel_capabilities().flags;
         let can_tell = flags.contains(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE);

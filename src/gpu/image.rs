@@ -40,7 +40,7 @@ pub struct PictureTimes {
     pub frame: Duration,
 }
 
-/// Draws `samples` samples a pixel. `progress` is told the share done, 0 to 1.
+/// Draws `samples` samples a pixel. `progress` gets the share done, 0 to 1.
 ///
 /// # Errors
 /// Where the driver refuses the scene or the size, or stops to answer.
@@ -73,7 +73,7 @@ pub struct Renderer {
     pace: Pace,
     display: Display,
     options: ir::Render,
-    /// What the next picture tells of the pipeline.
+    /// The time that the next picture reports for the pipeline.
     pipeline_time: Duration,
 }
 
@@ -112,8 +112,8 @@ impl Renderer {
         self.options = compiled.scene.render;
     }
 
-    /// Draws `samples` samples a pixel. `progress` is told the share done, 0 to 1, some ten times a second,
-    /// and says whether to go on; where it stops, there is no picture.
+    /// Draws `samples` samples a pixel. `progress` gets the share done, 0 to 1, some ten times a second,
+    /// and returns whether to go on; if it stops, there is no picture.
     ///
     /// # Errors
     /// Where a loop of the author's had to be ended, or the driver has no memory or stops to answer.

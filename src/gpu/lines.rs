@@ -6,7 +6,7 @@
 //! What is compared is the depth z along the view. On a screen 1/z of a line goes straight from end to end.
 //! Of the picture it is z = d / |ray|, where d is the distance that it holds, and `ray` has length 1 along
 //! the view. The shader compares, and not a depth buffer: so one pass draws both parts, and a line that
-//! lies on a surface can be told from one behind it by the pixels around.
+//! lies on a surface can be separated from one behind it by the pixels around.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};

@@ -19,7 +19,7 @@ pub(super) struct Subject<'a> {
 /// A submit that keeps the GPU for longer than this is cut into shorter ones.
 pub(super) const SLICE: Duration = Duration::from_millis(100);
 
-/// Draws all of the next sample, and makes it count. `progress` is told the share done, 0 to 1, and says
+/// Draws all of the next sample, and makes it count. `progress` gets the share done, 0 to 1, and returns
 /// whether to go on; what is returned says the same.
 ///
 /// # Errors

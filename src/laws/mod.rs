@@ -55,7 +55,7 @@ impl Law {
             Law::IsEvenFromAfar => "where a pixel covers very much, all pixels are nearly the same",
             Law::IsMetByRays => "some ray meets the shape",
             Law::KeepsToTheRay => "crossings lie between t_min and t_max",
-            Law::HasItsSurfaceThere => "the surface is where the ray was told to meet it",
+            Law::HasItsSurfaceThere => "the surface is where the ray meets it",
             Law::HasUnitNormals => "normals have length 1",
             Law::FacesTheRay => "where a ray enters, the normal points against it",
             Law::IsEnteredAndLeft => "a ray from outside enters and leaves by turns, and ends outside",

@@ -1,4 +1,4 @@
-//! Calls of textures, and what a probe tells of their values at many points.
+//! Calls of textures, and their values at many points, which a probe finds.
 
 use glam::{Vec2, Vec3};
 

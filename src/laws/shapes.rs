@@ -25,7 +25,7 @@ const GRAZING: f32 = 0.02;
 const MAX_WRONG: f64 = 0.005;
 /// The same where a shape is marched to, which may pass through what is thin.
 const MAX_WRONG_MARCHED: f64 = 0.03;
-/// The doc line of a shape whose normals do not tell inside from outside.
+/// The doc line of a shape whose normals do not separate inside from outside.
 const ROUGH: &str = "/// has a rough surface";
 /// The share of rays that numbers as data and as text may lead to different crossings.
 const MAX_DIFFERENT: f64 = 0.005;

@@ -45,7 +45,7 @@ pub fn even(values: &[Vec3], most: f32) -> Found {
     (deviation > most).then(|| (farthest, what()))
 }
 
-/// The first of `count` points that is wrong, if more than a share `most` is, with what there is to tell.
+/// The first of `count` points that is wrong, if more than a share `most` is, with its description.
 pub fn first(
     count: usize,
     most: f64,

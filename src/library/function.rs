@@ -1,4 +1,4 @@
-//! What a WGSL file tells a scene author: its name, its parameters, what it gives.
+//! A WGSL file as a scene author sees it: its name, its parameters, its result.
 
 use std::sync::Arc;
 

@@ -1,7 +1,7 @@
 //! Ends the loops of an author's snippets that would not end by themselves: on a GPU nothing else can.
 //!
 //! In: a parsed module with shaders/guard.wgsl in it. Out: the same, where each such loop asks that file at
-//! each step whether to go on, and what there is to tell of each loop. The author's text stays as it is.
+//! each step whether to go on, and the report of each loop. The author's text stays as it is.
 
 use std::collections::{HashMap, HashSet};
 
@@ -15,7 +15,7 @@ use crate::wgsl::Source;
 const CALL_STEPS: u32 = 1 << 15;
 const PIXEL_STEPS: u32 = 1 << 24;
 
-/// Rewrites `module`. What to tell where its loop 1, 2, … had to be ended.
+/// Rewrites `module`. Returns the reports for its loops 1, 2, …, if one had to be ended.
 pub fn lay_into(module: &mut Module, source: &Source) -> Vec<Report> {
     let named = |name: &str| {
         let mut functions = module.functions.iter();

@@ -1,4 +1,4 @@
-//! naga's verdict on a generated module, told at the place in the file that it came from.
+//! naga's verdict on a generated module, reported at the place in the file that it came from.
 //!
 //! In: a [`Source`]. Out: a [`Module`] that wgpu will take, or diagnostics. Loops of the author's end in it.
 
@@ -35,7 +35,7 @@ impl Module {
         &self.info
     }
 
-    /// What to tell of each loop that shaders/guard.wgsl may have to end, in the order of its numbers.
+    /// The report of each loop that shaders/guard.wgsl may have to end, in the order of its numbers.
     pub fn loops(&self) -> &Arc<[Report]> {
         &self.loops
     }
@@ -46,7 +46,7 @@ impl Module {
         self.unguarded.as_deref()
     }
 
-    /// What to tell of it although a driver takes it.
+    /// Warnings about it, although a driver takes it.
     pub fn warning(&self) -> Option<&Diagnostic> {
         self.warning.as_ref()
     }

@@ -23,7 +23,7 @@ pub struct Dialog {
     pub result: Option<Result<String, String>>,
 }
 
-/// What the dialog was told to do.
+/// The wish of the person at the dialog.
 pub enum Action {
     Take(Box<album::CaptureRequest>),
     Stop,

@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// How an editor is told a line.
+/// The form in which an editor takes a line.
 enum Way {
     /// `editor FILE:LINE`
     Joined,
@@ -35,7 +35,7 @@ pub const DESKTOP: &[&str] = if cfg!(windows) {
 /// Opens `file` at `line`, counted from 1, in the editor that `VISUAL` or `EDITOR` names, or in another one.
 ///
 /// # Errors
-/// What to tell the author.
+/// The message for the author.
 pub fn open(file: &Path, line: usize) -> Result<(), String> {
     let set = |name: &str| std::env::var(name).ok().filter(|value| !value.trim().is_empty());
     let named = set("VISUAL").or_else(|| set("EDITOR"));
@@ -69,7 +69,7 @@ pub fn command(editor: &str, terminal: &str, file: &Path, line: usize) -> Vec<St
     words
 }
 
-/// The arguments by which an editor is told a file and a line.
+/// The arguments by which an editor opens a file at a line.
 fn told(program: &str, file: &Path, line: usize) -> Vec<String> {
     let file = file.to_string_lossy();
     let way = match program {

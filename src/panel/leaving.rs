@@ -41,7 +41,7 @@ impl Panel {
         is_saved
     }
 
-    /// Does what [`Panel::leave`] was told, unless changes would be lost: then it asks.
+    /// Does what [`Panel::leave`] was called for, unless changes would be lost: then it asks.
     pub(super) fn depart(&mut self, ui: &Ui, actions: &mut Actions) {
         let Some(to) = self.leaving.take() else { return };
         let answer = if self.document.is_saved() { Some(Answer::Drop) } else { self.ask(ui) };

@@ -114,7 +114,7 @@ pub struct Panel {
     /// Where the author wants to go, while something is to be asked before.
     leaving: Option<Leaving>,
     shows_cheat_sheet: bool,
-    /// What could not be done, to be told once.
+    /// A message about something that could not be done, shown once.
     notice: Option<String>,
 }
 

@@ -7,7 +7,7 @@ use crate::panel::settings;
 /// What is chosen, and what can be pressed.
 pub const ACCENT: Color32 = Color32::from_rgb(86, 140, 245);
 
-/// What can be pressed over the picture, and what is told there, on a dark ground in both themes.
+/// Buttons and messages over the picture, on a dark ground in both themes.
 pub const LINK_OVER_PICTURE: Color32 = Color32::from_rgb(120, 170, 255);
 pub const PALE: Color32 = Color32::from_gray(225);
 

@@ -44,7 +44,7 @@ impl ValueLegend {
 }
 
 impl Panel {
-    /// Asks for the number if somebody sees it, and tells over the picture at `area` what its colors mean.
+    /// Asks for the number if somebody sees it, and explains its colors over the picture at `area`.
     pub(super) fn measure(&mut self, ui: &Ui, area: Rect, actions: &mut Actions) {
         let beside = self.divider.split().map(|split| split.view);
         let is_seen = self.view == View::Value || beside == Some(View::Value);

@@ -134,7 +134,7 @@ pub fn color(ui: &mut Ui, name: &str, color: &mut Vec3, style: ColorStyle) -> bo
     *color != before
 }
 
-/// A text that is told once the author has finished it; Escape takes back what was typed.
+/// A text that counts once the author has finished it; Escape takes back what was typed.
 pub fn text(ui: &mut Ui, path: &Path, value: &str) -> Option<String> {
     let id = egui::Id::unique(path.to_string());
     let draft = ui.data_mut(|data| data.get_temp::<String>(id));

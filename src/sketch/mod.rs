@@ -38,7 +38,7 @@ pub struct Sketch {
     pub has_views: bool,
 }
 
-/// A sketch that was given up: how long it would have taken, as far as that can be told.
+/// A sketch that was given up: how long it would have taken, as far as that is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooSlow(pub Duration);
 

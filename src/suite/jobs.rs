@@ -6,8 +6,8 @@ use std::sync::mpsc::channel;
 
 use crate::gpu::Gpu;
 
-/// Calls `work` for each of `jobs`, a thread for each of `devices`; `done` is told how many are. The results
-/// are in the order of the jobs.
+/// Calls `work` for each of `jobs`, a thread for each of `devices`; `done` gets the number of those that are
+/// done. The results are in the order of the jobs.
 pub fn by_devices<J: Sync, R: Send>(
     devices: &[Gpu],
     jobs: &[J],

@@ -1,7 +1,7 @@
 //! Tests of an author's own files: scenes beside their goldens, textures and shapes before their laws.
 //!
 //! In: [`Case`]s and devices. Out: [`Outcome`]s, and texts about them for people and programs. The only room
-//! that writes and removes goldens, and only where it is told to bless.
+//! that writes and removes goldens, and only if it is called to bless.
 
 mod cases;
 mod goldens;
@@ -26,7 +26,7 @@ pub use walk::Walk;
 
 use crate::gpu::Gpu;
 
-/// Runs all `cases`, a thread for each of `devices`; `done` is told how many are.
+/// Runs all `cases`, a thread for each of `devices`; `done` gets the number of those that are done.
 pub fn run(bench: &Bench, devices: &[Gpu], cases: &[Case], done: &mut dyn FnMut(usize)) -> Vec<Outcome> {
     let check = |gpu: &Gpu, case: &Case| match case.kind {
         CaseKind::Scene => scene::check(bench, gpu, case),

@@ -1,6 +1,6 @@
 //! What a scene's test asks for: `NAME.test.ron` beside the scene, over `folder.test.ron` of its folders.
 //!
-//! In: the text of such a file. Out: [`Settings`], or what is wrong with it, told as with scenes.
+//! In: the text of such a file. Out: [`Settings`], or its mistakes, reported as those of scenes.
 
 use std::ops::Range;
 use std::path::Path;

@@ -120,7 +120,8 @@ impl Writer<'_> {
         lines
     }
 
-    /// Whether a solid asks what primitive `index` holds: no crossing tells that of one that has no end.
+    /// Whether a solid asks what primitive `index` holds: without an end, it may hold a ray that never
+    /// crosses it.
     pub fn asks_for_inside(&self, index: usize) -> bool {
         let is_whole = |solid: &Solid| matches!(solid, Solid::Primitive(own) if *own == index);
         let is_part = !self.scene.objects.iter().any(|object| is_whole(&object.solid));

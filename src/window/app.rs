@@ -189,7 +189,7 @@ impl ApplicationHandler<(u32, EngineEvent)> for App<'_> {
     fn user_event(&mut self, event_loop: &ActiveEventLoop, (device, notice): (u32, EngineEvent)) {
         self.timed(|app| {
             let Some(open) = &mut app.open else { return };
-            // What a lost device still tells is of no use.
+            // Messages of a lost device are of no use.
             if device != open.restarts && !matches!(notice, EngineEvent::Remote(_)) {
                 return;
             }

@@ -40,10 +40,10 @@ pub fn listen(options: &Options, proxy: EventLoopProxy<(u32, EngineEvent)>) {
 }
 
 impl Backend {
-    /// Starts all of it on `scene`; `notify` is told what happens, from other threads.
+    /// Starts all of it on `scene`; `notify` gets all events, from other threads.
     ///
     /// # Errors
-    /// Where no GPU can draw on the window: what to tell the user.
+    /// If no GPU can draw on the window: a message for the user.
     pub fn start(
         window: &Arc<Window>,
         display: OwnedDisplayHandle,

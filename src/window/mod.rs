@@ -38,10 +38,10 @@ pub struct Options {
     pub cache: Option<PathBuf>,
 }
 
-/// Opens a window and returns when it is closed. `on_event` is told what happens.
+/// Opens a window and returns when it is closed. `on_event` gets all events.
 ///
 /// # Errors
-/// Where there is no display or no GPU: what to tell the user.
+/// If there is no display or no GPU: a message for the user.
 pub fn run(options: Options, on_event: &dyn Fn(&Event)) -> Result<(), String> {
     app::run(options, on_event)
 }

@@ -39,7 +39,7 @@ pub struct Open {
     pub wake: Option<Instant>,
 }
 
-/// What to tell of a picture once it is on the screen.
+/// The report of a picture once it is on the screen.
 pub struct Fresh {
     pub event: Event,
     /// When the change was noticed that it shows.
@@ -159,7 +159,7 @@ impl Open {
         self.backend.input.handle_platform_output(&self.window, std::mem::take(&mut output.platform_output));
         let place = self.look.map_or(([0; 2], 1), |look| (look.corner, look.size[0]));
         let Backend { screen, context, .. } = &mut self.backend;
-        // Where the device is lost, which is about to be told, egui's renderer panics.
+        // egui's renderer panics if the device is lost, and the report of that is on its way.
         if screen.gpu.is_lost() {
             return Presented::Dropped;
         }

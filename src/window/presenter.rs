@@ -13,7 +13,7 @@ pub struct Presenter {
 }
 
 impl Presenter {
-    /// `told` hears of each frame whether the screen shows it.
+    /// `told` gets for each frame whether the screen shows it.
     pub fn start(gpu: Gpu, told: impl Fn(bool) + Send + 'static) -> Self {
         let (frames, receiver) = channel();
         let thread = std::thread::spawn(move || {
@@ -29,7 +29,7 @@ impl Presenter {
         Self { frames: Some(frames), thread: Some(thread) }
     }
 
-    /// Nothing may be asked of the surface before `told` has heard of it.
+    /// Nothing may be asked of the surface before `told` was called.
     pub fn present(&self, frame: wgpu::SurfaceTexture) {
         if let Some(frames) = &self.frames {
             let _ = frames.send(frame);

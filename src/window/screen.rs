@@ -36,15 +36,15 @@ pub enum Presented {
     /// There is none.
     Dropped,
     Shown,
-    /// It is on its way, and the presenter tells when it is there.
+    /// It is on its way, and the presenter reports when it is there.
     Sent,
 }
 
 impl Screen {
-    /// `told` hears whether a frame that was sent is shown.
+    /// `told` gets whether a frame that was sent is shown.
     ///
     /// # Errors
-    /// Where no GPU can draw on the window: what to tell the user.
+    /// If no GPU can draw on the window: a message for the user.
     pub fn new(
         window: Arc<Window>,
         display: winit::event_loop::OwnedDisplayHandle,

@@ -1,4 +1,4 @@
-//! The thread that turns files into pipelines: compile, tell what kind of edit it was, ask the driver.
+//! The thread that turns files into pipelines: compile, find the kind of edit, ask the driver.
 //!
 //! In: [`BuilderCommand`]. Out: [`BuilderEvent`].
 
@@ -87,7 +87,7 @@ impl Builder {
     fn begin_again(&mut self, done: &impl Fn(BuilderEvent)) {
         let Some(compiled) = self.crash_guard.good().cloned() else { return };
         let noticed = Instant::now();
-        // What it was drawn with before it is drawn with again; where not, the files tell what is wrong.
+        // What it was drawn with before it is drawn with again; where not, the files report the mistake.
         // A picture that has come through memory is on the screen still.
         let is_on_screen = self.gpu.is_software();
         let _ = self.show(&compiled, Report::default(), noticed, is_on_screen, done);
@@ -99,7 +99,7 @@ impl Builder {
         let mut is_shown = false;
         for order in orders {
             is_stale |= match &order {
-                // The window tells it again where a file has changed, which is known here.
+                // The window asks again if a file has changed, which is known here.
                 BuilderCommand::Edited(text) => *text != self.edited,
                 BuilderCommand::Shown(_) | BuilderCommand::Views(_) => false,
                 _ => true,
@@ -136,7 +136,7 @@ impl Builder {
         }
     }
 
-    /// Compiles and tells; what kind of change it was, unless the scene is wrong.
+    /// Compiles and reports. Returns the kind of change, unless the scene is wrong.
     fn build(&mut self, done: &impl Fn(BuilderEvent)) -> Option<Change> {
         let noticed = Instant::now();
         done(BuilderEvent::Begun);

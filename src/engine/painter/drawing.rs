@@ -12,7 +12,7 @@ use crate::gpu::{GpuError, Region, Survey, Tracer};
 const COURTESY: Duration = Duration::from_millis(100);
 
 impl Painter {
-    /// Finds out more of what lies under the pixels, and tells it once it is whole.
+    /// Finds more of the objects under the pixels, and sends them to the window once all are known.
     pub(super) fn tell(&mut self) -> Result<(), GpuError> {
         let Some(scene) = &self.scene else { return Ok(()) };
         let Some(pipeline) = scene.pipeline(true) else { return Ok(()) };

@@ -116,7 +116,7 @@ struct Painter {
     forecast: Forecast,
     /// Whether nothing of the picture has been shown yet that something coarser could stand for.
     is_first_pass: bool,
-    /// What was told last of drawing that is slow, and when.
+    /// The last report of slow drawing, and when it was sent.
     slow: Option<Slow>,
     slow_told: Instant,
     sample_started: Instant,

@@ -1,4 +1,4 @@
-//! A version of the scene that goes wrong while it is drawn: it is told, and the last good one comes back.
+//! A version of the scene that goes wrong while it is drawn: a report of it, and the last good one again.
 
 use super::forecast::Forecast;
 use super::{PROMPT, Painter};

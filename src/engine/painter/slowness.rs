@@ -1,4 +1,4 @@
-//! A picture that takes long: it starts coarser, and the window is told how far it is.
+//! A picture that takes long: it starts coarser, and the window shows how far it is.
 
 use std::time::{Duration, Instant};
 
@@ -23,7 +23,7 @@ impl Painter {
         may_be && self.sample_started.elapsed() > TRIED && self.forecast.rest(width * height) > LEFT
     }
 
-    /// Tells the window where drawing is slow, how slow, and where it is slow no more.
+    /// Reports to the window that drawing is slow, how slow, and when it is slow no more.
     pub(super) fn tell_slowness(&mut self) {
         let slow = self.slowness();
         let is_other = slow.is_some() != self.slow.is_some();

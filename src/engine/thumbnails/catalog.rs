@@ -18,7 +18,7 @@ pub enum Subject {
     Function(Family, String),
 }
 
-/// A subject, and what people are told of it.
+/// A subject, and its description for people.
 pub struct Item {
     pub subject: Subject,
     pub name: String,

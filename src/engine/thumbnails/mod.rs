@@ -37,7 +37,7 @@ pub enum ThumbnailCommand {
     Draw { subjects: Vec<Subject>, seen: usize, size: [u32; 2] },
 }
 
-/// What a gallery is told.
+/// A message to a gallery.
 pub enum ThumbnailEvent {
     Catalog(Vec<Item>),
     /// The picture of a subject, or why there is none.
@@ -91,7 +91,7 @@ struct ThumbnailRenderer {
     size: [u32; 2],
     /// How many lists were asked for.
     lists: u32,
-    /// Those whose picture was told since the last one.
+    /// Those whose picture was sent since the last one.
     told: BTreeSet<Subject>,
     /// Those of the others that nobody has drawn before, with the lengths of their shaders.
     missing: BTreeMap<Subject, usize>,

@@ -165,7 +165,7 @@ impl Panel {
         }
     }
 
-    /// Writes a texture and opens it; what to tell of it.
+    /// Writes a texture and opens it. Returns a message about it.
     fn new_texture(&self) -> String {
         match templates::new_texture(&self.disk, &self.scene) {
             Ok(texture) => {

@@ -1,10 +1,10 @@
-//! All that a person can tell the window to do: the table from which keys, tooltips and the rest are made.
+//! All commands of the window: the table from which keys, tooltips and the rest are made.
 //!
 //! In: nothing. Out: [`COMMANDS`], and [`GESTURES`] for the hand on the mouse.
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 
-/// Something that the window can be told to do.
+/// A command of the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
     Gallery,
@@ -35,14 +35,14 @@ pub enum Command {
     Quit,
 }
 
-/// What people are told of a command, and how they give it.
+/// The description of a command, and how people give it.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
     pub command: Command,
     /// What it is about.
     pub group: &'static str,
     pub name: &'static str,
-    /// The first is the one that tooltips tell.
+    /// Tooltips show the first.
     pub keys: &'static [KeyboardShortcut],
     pub does: &'static str,
 }
@@ -203,7 +203,7 @@ pub const GESTURES: [(&str, &str); 9] = [
 ];
 
 impl Command {
-    /// What people are told of it.
+    /// Its description for people.
     pub fn entry(self) -> &'static Entry {
         COMMANDS.iter().find(|entry| entry.command == self).expect("all are there")
     }

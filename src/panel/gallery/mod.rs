@@ -1,6 +1,6 @@
 //! The gallery: scenes, textures and shapes as pictures, to be found by a part of their names or captions.
 //!
-//! In: what a thread tells of them. Out: what to ask of that thread, and what the author has chosen.
+//! In: the messages of a thread. Out: commands to that thread, and the author's choice.
 
 mod categories;
 mod details;
@@ -72,7 +72,7 @@ impl Gallery {
 }
 
 impl Panel {
-    /// Takes what the thread of the thumbnails tells.
+    /// Takes a message of the thread of the thumbnails.
     pub fn receive_thumbnails(&mut self, news: ThumbnailEvent) {
         let Gallery { items, pictures, .. } = &mut self.gallery;
         match news {

@@ -63,7 +63,7 @@ impl Exports {
         std::thread::spawn(move || drop(sender.send(carry_out(&compiled, language, place))));
     }
 
-    /// Takes what a thread has made, and tells what became of it.
+    /// Takes the result of a thread, and returns a message about it.
     pub fn follow(&mut self, ui: &mut Ui) {
         if let Some(running) = &self.running {
             let told = match running.try_recv() {

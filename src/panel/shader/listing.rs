@@ -127,7 +127,7 @@ impl History {
                 format!("{} lines removed, {} added", count('-'), count('+'))
             }
         };
-        // What is no edit of the structure is no change to tell line by line.
+        // An edit of numbers is not shown line by line.
         let rows = if self.has_structural { rows } else { vec![] };
         Changes { page: Page::of(rows), told }
     }

@@ -108,7 +108,7 @@ struct Ink {
     mark: Color32,
     gone: Color32,
     new: Color32,
-    /// Behind what tells the place of a change.
+    /// Behind the words for the place of a change.
     head: Color32,
 }
 

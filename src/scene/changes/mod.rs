@@ -13,7 +13,7 @@ use super::{Field, Kind, Name, Path, Record, Step, Value};
 /// A value that is not as it was.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
-    /// Where, by the names of things: `objects["ball"].radius`. What has no name is told by its index, the
+    /// Where, by the names of things: `objects["ball"].radius`. A value without a name has its index, the
     /// old one where there was one.
     pub path: Path,
     pub kind: ChangeKind,
@@ -29,7 +29,7 @@ pub enum ChangeKind {
     Gone,
     /// It says something else.
     Changed,
-    /// Its `Name(…)`, or the key of a map that leads to it, is another; fields are told by themselves.
+    /// Its `Name(…)`, or the key of a map that leads to it, is another; fields are reported one by one.
     Renamed,
     /// It stands elsewhere in its list.
     Moved,
@@ -204,7 +204,7 @@ impl<'a> Text<'a> {
     }
 }
 
-/// Whether both are told field by field: of one name, or of two with fields in common.
+/// Whether both are compared field by field: of one name, or of two with fields in common.
 fn is_one_changed(old: &Record, new: &Record) -> bool {
     let name = |record: &Record| record.name.as_ref().map(|name| name.text.clone());
     let in_common = || old.fields.iter().any(|field| named(&new.fields, &field.name.text).is_some());
