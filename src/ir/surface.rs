@@ -137,6 +137,11 @@ pub struct Bump {
 }
 
 impl Material {
+    /// Whether the author wrote none.
+    pub fn is_unset(&self) -> bool {
+        self.caption.is_empty() && self.properties.is_empty() && self.bump.is_none()
+    }
+
     /// Whether it varies over a surface, bumps aside.
     pub fn is_textured(&self) -> bool {
         self.properties.iter().any(|(_, value)| !matches!(value, Value::Const(_)))

@@ -3,15 +3,26 @@
 use super::Writer;
 use super::answer::Answer;
 use super::code::{Code, CodeLines};
+use super::names::Names;
 use super::values::Block;
-use crate::ir::{Material, Property, Value};
+use crate::ir::{Material, Property, Scene, Value};
 use crate::library::Const;
+
+/// The function of each material. Those of objects without one share theirs.
+pub fn function_names(scene: &Scene, names: &mut Names<'_>) -> Vec<String> {
+    let mut unset = None;
+    let name = |material: &Material| match material.is_unset() {
+        true => unset.get_or_insert_with(|| names.function("default", "Material")).clone(),
+        false => names.function(&material.name, "Material"),
+    };
+    scene.materials.iter().map(name).collect()
+}
 
 impl Writer<'_> {
     pub fn materials(&mut self) -> CodeLines {
         let mut lines = self.material_of_object();
         for (index, material) in self.scene.materials.iter().enumerate() {
-            if self.scene.primitives.iter().any(|o| o.material == index) {
+            if self.is_first_of_its_name(index) && self.cases(|m| self.is_written_as(m, index)).is_some() {
                 lines.extend(self.material(index, material));
             }
         }
@@ -30,7 +41,8 @@ impl Writer<'_> {
         let answer = Answer::new(self.scene.materials.len(), "its_material", "Material");
         let mut cases = CodeLines::default();
         for (index, name) in self.material_names.iter().enumerate() {
-            if let Some(objects) = self.cases(|material| material == index) {
+            let objects = self.cases(|material| self.is_written_as(material, index));
+            if let Some(objects) = objects.filter(|_| self.is_first_of_its_name(index)) {
                 cases.case(&objects, &answer.give(), &Code::call(name, [Code::atom("at")]));
             }
         }
@@ -38,6 +50,15 @@ impl Writer<'_> {
         lines.extend(answer.switch("object", cases));
         lines.push("}");
         lines
+    }
+
+    /// Whether one function is written for both materials.
+    fn is_written_as(&self, material: usize, other: usize) -> bool {
+        self.material_names[material] == self.material_names[other]
+    }
+
+    fn is_first_of_its_name(&self, material: usize) -> bool {
+        self.material_names.iter().position(|name| *name == self.material_names[material]) == Some(material)
     }
 
     /// The objects whose material `is` the wanted one, as the selector of a `case`.
@@ -65,7 +86,10 @@ impl Writer<'_> {
         }
         let mut lines = CodeLines::default();
         lines.push("");
-        lines.push(self.caption(&format!("/// material \"{}\"", material.name), &material.caption));
+        lines.push(match material.is_unset() {
+            true => "/// The material of objects that have none in the scene.".into(),
+            false => self.caption(&format!("/// material \"{}\"", material.name), &material.caption),
+        });
         lines.push(format!("fn {}(at: Surface) -> Material {{", self.material_names[index]));
         lines.extend(block.lines);
         let matte = Code::call("matte", [color]);

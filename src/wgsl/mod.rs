@@ -155,7 +155,7 @@ impl<'a> Writer<'a> {
 
     fn new(scene: &'a ir::Scene, mode: Mode, names: &mut Names<'_>) -> Self {
         let object_names = scene.primitives.iter().map(|o| names.constant("OBJECT", &o.name)).collect();
-        let material_names = scene.materials.iter().map(|m| names.function(&m.name, "Material")).collect();
+        let material_names = materials::function_names(scene, names);
         let texture_names = scene.textures.iter().map(|t| names.function(&t.name, "Texture")).collect();
         Self {
             scene,

@@ -43,13 +43,13 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
 /// The material of `object` at its surface point `at`.
 fn materialAt(object: u32, at: Surface) -> Material {
     switch object {
-        case OBJECT_SPHERE_0: { return sphere0Material(at); }
+        case OBJECT_SPHERE_0: { return defaultMaterial(at); }
         default: { return matte(vec3f(0.0)); }
     }
 }
 
-/// material "Sphere 0"
-fn sphere0Material(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 

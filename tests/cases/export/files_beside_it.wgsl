@@ -71,7 +71,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
 fn materialAt(object: u32, at: Surface) -> Material {
     switch object {
         case OBJECT_PLANE_0: { return plane0Material(at); }
-        case OBJECT_MESH_1: { return mesh1Material(at); }
+        case OBJECT_MESH_1: { return defaultMaterial(at); }
         default: { return matte(vec3f(0.0)); }
     }
 }
@@ -81,8 +81,8 @@ fn plane0Material(at: Surface) -> Material {
     return matte(imageColor(image0, at, 0.8, true));
 }
 
-/// material "Mesh 1"
-fn mesh1Material(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 

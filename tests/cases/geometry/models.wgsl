@@ -178,37 +178,15 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
 /// The material of `object` at its surface point `at`.
 fn materialAt(object: u32, at: Surface) -> Material {
     switch object {
-        case OBJECT_PLANE_0: { return plane0Material(at); }
-        case OBJECT_MIRRORED: { return mirroredMaterial(at); }
-        case OBJECT_STRETCHED: { return stretchedMaterial(at); }
-        case OBJECT_BLOCK: { return blockMaterial(at); }
-        case OBJECT_HOLLOW: { return hollowMaterial(at); }
+        case OBJECT_PLANE_0, OBJECT_MIRRORED, OBJECT_STRETCHED, OBJECT_BLOCK, OBJECT_HOLLOW: {
+            return defaultMaterial(at);
+        }
         default: { return matte(vec3f(0.0)); }
     }
 }
 
-/// material "Plane 0"
-fn plane0Material(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "mirrored"
-fn mirroredMaterial(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "stretched"
-fn stretchedMaterial(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "block"
-fn blockMaterial(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "hollow"
-fn hollowMaterial(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 

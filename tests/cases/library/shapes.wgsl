@@ -171,43 +171,20 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
 /// The material of `object` at its surface point `at`.
 fn materialAt(object: u32, at: Surface) -> Material {
     switch object {
-        case OBJECT_ROUNDEDCONE_0: { return roundedCone0Material(at); }
-        case OBJECT_WEDGE_1: { return wedge1Material(at); }
-        case OBJECT_PYRAMID_2: { return pyramid2Material(at); }
-        case OBJECT_PARABOLOID_3: { return paraboloid3Material(at); }
-        case OBJECT_HYPERBOLOID_4: { return hyperboloid4Material(at); }
-        case OBJECT_SUPERELLIPSOID_5: { return superellipsoid5Material(at); }
+        case OBJECT_ROUNDEDCONE_0,
+             OBJECT_WEDGE_1,
+             OBJECT_PYRAMID_2,
+             OBJECT_PARABOLOID_3,
+             OBJECT_HYPERBOLOID_4,
+             OBJECT_SUPERELLIPSOID_5: {
+            return defaultMaterial(at);
+        }
         default: { return matte(vec3f(0.0)); }
     }
 }
 
-/// material "RoundedCone 0"
-fn roundedCone0Material(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "Wedge 1"
-fn wedge1Material(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "Pyramid 2"
-fn pyramid2Material(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "Paraboloid 3"
-fn paraboloid3Material(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "Hyperboloid 4"
-fn hyperboloid4Material(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "Superellipsoid 5"
-fn superellipsoid5Material(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 

@@ -42,13 +42,13 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
 /// The material of `object` at its surface point `at`.
 fn materialAt(object: u32, at: Surface) -> Material {
     switch object {
-        case OBJECT_PLANE_0: { return plane0Material(at); }
+        case OBJECT_PLANE_0: { return defaultMaterial(at); }
         default: { return matte(vec3f(0.0)); }
     }
 }
 
-/// material "Plane 0"
-fn plane0Material(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 

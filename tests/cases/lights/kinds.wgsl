@@ -81,31 +81,15 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
 /// The material of `object` at its surface point `at`.
 fn materialAt(object: u32, at: Surface) -> Material {
     switch object {
-        case OBJECT_PLANE_0: { return plane0Material(at); }
-        case OBJECT_SPHERE_1: { return sphere1Material(at); }
-        case OBJECT_SPHERE_2: { return sphere2Material(at); }
-        case OBJECT_SPHERE_3: { return sphere3Material(at); }
+        case OBJECT_PLANE_0, OBJECT_SPHERE_1, OBJECT_SPHERE_2, OBJECT_SPHERE_3: {
+            return defaultMaterial(at);
+        }
         default: { return matte(vec3f(0.0)); }
     }
 }
 
-/// material "Plane 0"
-fn plane0Material(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "Sphere 1"
-fn sphere1Material(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "Sphere 2"
-fn sphere2Material(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "Sphere 3"
-fn sphere3Material(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 

@@ -83,7 +83,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     switch object {
         case OBJECT_SPHERE_0, OBJECT_BOX_1: { return clayMaterial(at); }
         case OBJECT_TORUS_2: { return torus2Material(at); }
-        case OBJECT_PLANE_3: { return plane3Material(at); }
+        case OBJECT_PLANE_3: { return defaultMaterial(at); }
         default: { return matte(vec3f(0.0)); }
     }
 }
@@ -98,8 +98,8 @@ fn torus2Material(at: Surface) -> Material {
     return matte(vec3f(1.0, 0.6795425, 0.0));
 }
 
-/// material "Plane 3"
-fn plane3Material(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 

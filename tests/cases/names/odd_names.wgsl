@@ -153,12 +153,14 @@ fn materialAt(object: u32, at: Surface) -> Material {
         case OBJECT_LEG_1: { return leg1Material(at); }
         case OBJECT_LEG_1_2: { return leg1Material2(at); }
         case OBJECT_LEG_1_2_2: { return xMaterial(at); }
-        case OBJECT_BALLON_D_T: { return ballonDTMaterial(at); }
-        case OBJECT_X: { return xMaterial2(at); }
-        case OBJECT_2_LEGS: { return x2LegsMaterial(at); }
-        case OBJECT_FN: { return fnMaterial(at); }
-        case OBJECT_TWO_LINES_QUOTED_AND_A_C: { return twoLinesQuotedAndACommenMaterial(at); }
-        case OBJECT_LINE_SEPARATOR: { return lineSeparatorMaterial(at); }
+        case OBJECT_BALLON_D_T,
+             OBJECT_X,
+             OBJECT_2_LEGS,
+             OBJECT_FN,
+             OBJECT_TWO_LINES_QUOTED_AND_A_C,
+             OBJECT_LINE_SEPARATOR: {
+            return defaultMaterial(at);
+        }
         default: { return matte(vec3f(0.0)); }
     }
 }
@@ -178,33 +180,8 @@ fn xMaterial(at: Surface) -> Material {
     return matte(vec3f(xTexture(at)));
 }
 
-/// material "ballon d'été 🎈"
-fn ballonDTMaterial(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "日本"
-fn xMaterial2(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "2 legs"
-fn x2LegsMaterial(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "fn"
-fn fnMaterial(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "two lines "quoted" \ // and /* a comment"
-fn twoLinesQuotedAndACommenMaterial(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "line separator"
-fn lineSeparatorMaterial(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 

@@ -83,19 +83,13 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
 /// The material of `object` at its surface point `at`.
 fn materialAt(object: u32, at: Surface) -> Material {
     switch object {
-        case OBJECT_TORUS_0: { return torus0Material(at); }
-        case OBJECT_MOVED: { return movedMaterial(at); }
+        case OBJECT_TORUS_0, OBJECT_MOVED: { return defaultMaterial(at); }
         default: { return matte(vec3f(0.0)); }
     }
 }
 
-/// material "Torus 0"
-fn torus0Material(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "moved"
-fn movedMaterial(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 

@@ -132,19 +132,13 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
 /// The material of `object` at its surface point `at`.
 fn materialAt(object: u32, at: Surface) -> Material {
     switch object {
-        case OBJECT_DOME_SPHERE_0: { return domeSphere0Material(at); }
-        case OBJECT_DOME_PLANE_1: { return domePlane1Material(at); }
+        case OBJECT_DOME_SPHERE_0, OBJECT_DOME_PLANE_1: { return defaultMaterial(at); }
         default: { return matte(vec3f(0.0)); }
     }
 }
 
-/// material "dome Sphere 0"
-fn domeSphere0Material(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "dome Plane 1"
-fn domePlane1Material(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 

@@ -210,32 +210,20 @@ fn smoothBallsSurface(
 /// The material of `object` at its surface point `at`.
 fn materialAt(object: u32, at: Surface) -> Material {
     switch object {
-        case OBJECT_PLANE_0: { return plane0Material(at); }
+        case OBJECT_PLANE_0, OBJECT_BALLS, OBJECT_BITTEN_PEBBLE_1: { return defaultMaterial(at); }
         case OBJECT_PEBBLE: { return pebbleMaterial(at); }
-        case OBJECT_BALLS: { return ballsMaterial(at); }
-        case OBJECT_BITTEN_PEBBLE_1: { return bittenPebble1Material(at); }
         default: { return matte(vec3f(0.0)); }
     }
 }
 
-/// material "Plane 0"
-fn plane0Material(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
 /// material "pebble": (color: "tan")
 fn pebbleMaterial(at: Surface) -> Material {
     return matte(vec3f(0.6444797, 0.45641103, 0.2622507));
-}
-
-/// material "balls"
-fn ballsMaterial(at: Surface) -> Material {
-    return matte(vec3f(0.8));
-}
-
-/// material "bitten Pebble 1"
-fn bittenPebble1Material(at: Surface) -> Material {
-    return matte(vec3f(0.8));
 }
 
 /// Whether the material of `object` varies over its surface.

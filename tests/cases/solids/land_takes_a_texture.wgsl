@@ -166,7 +166,7 @@ fn materialAt(object: u32, at: Surface) -> Material {
     switch object {
         case OBJECT_LAND: { return landMaterial(at); }
         case OBJECT_CRATER: { return craterMaterial(at); }
-        case OBJECT_SMOOTHBALLS_1: { return smoothBalls1Material(at); }
+        case OBJECT_SMOOTHBALLS_1: { return defaultMaterial(at); }
         default: { return matte(vec3f(0.0)); }
     }
 }
@@ -181,8 +181,8 @@ fn craterMaterial(at: Surface) -> Material {
     return matte(vec3f(0.19461784, 0.10224174, 0.057805438));
 }
 
-/// material "SmoothBalls 1"
-fn smoothBalls1Material(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 

@@ -219,7 +219,7 @@ fn surfaceAt(object: u32, p: vec3f) -> Placed {
 /// The material of `object` at its surface point `at`.
 fn materialAt(object: u32, at: Surface) -> Material {
     switch object {
-        case OBJECT_FLOOR: { return floorMaterial(at); }
+        case OBJECT_FLOOR: { return defaultMaterial(at); }
         case OBJECT_BODY_BOX_0, OBJECT_DIE_CYLINDER_2: { return dieMaterial(at); }
         case OBJECT_BODY_SPHERE_1: { return bodySphere1Material(at); }
         case OBJECT_WELL: { return wellMaterial(at); }
@@ -227,8 +227,8 @@ fn materialAt(object: u32, at: Surface) -> Material {
     }
 }
 
-/// material "floor"
-fn floorMaterial(at: Surface) -> Material {
+/// The material of objects that have none in the scene.
+fn defaultMaterial(at: Surface) -> Material {
     return matte(vec3f(0.8));
 }
 
