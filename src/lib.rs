@@ -18,6 +18,7 @@
 //! ```
 
 pub mod assets;
+pub mod bindings;
 mod bvh;
 pub mod capture;
 pub mod cli;

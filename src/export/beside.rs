@@ -2,26 +2,26 @@
 //!
 //! In: a scene, and its module. Out: a [`Beside`].
 
-use naga::{GlobalVariable, ImageClass, Module, ResourceBinding, ScalarKind, TypeInner};
+use naga::{GlobalVariable, Module, ResourceBinding};
 
-use crate::frame::{SAMPLER_BINDING, Texels, texels};
+use crate::bindings::{Binding, Content, SAMPLER};
+use crate::frame::{Texels, texels};
 use crate::ir::Scene;
 
 /// A file of texels, and what a host binds them to.
 #[derive(Default)]
 pub struct Beside {
     /// Variables of bind group 1 that an entry point uses, by their numbers.
-    pub bindings: Vec<Binding>,
+    pub resources: Vec<Resource>,
     /// One texture behind the other.
     pub texels: Vec<u8>,
     /// Names of the images and models that the texels were made of.
     pub files: Vec<String>,
 }
 
-/// A variable of the module.
-pub struct Binding {
-    pub number: u32,
-    pub is_sampler: bool,
+/// A variable of the module, and what a host binds to it.
+pub struct Resource {
+    pub binding: Binding,
     pub ty: &'static str,
     pub name: String,
     /// The resources that a host binds to it.
@@ -34,20 +34,20 @@ const ALIGNMENT: usize = 16;
 impl Beside {
     pub fn new(scene: &Scene, module: &Module) -> Self {
         let mut beside = Self::default();
-        let variable = |binding| {
-            let place = Some(ResourceBinding { group: 1, binding });
+        let variable = |binding: Binding| {
+            let place = Some(ResourceBinding { group: binding.group, binding: binding.number });
             module.global_variables.iter().map(|(_, variable)| variable).find(|v| v.binding == place)
         };
-        let sampler = variable(SAMPLER_BINDING).filter(|_| !scene.images_in_use().is_empty());
-        beside.bindings.extend(sampler.map(|variable| {
+        let sampler = variable(SAMPLER).filter(|_| !scene.images_in_use().is_empty());
+        beside.resources.extend(sampler.map(|variable| {
             let content = "linear in a level and between levels; repeats to all sides".to_owned();
-            Binding::new(module, variable, SAMPLER_BINDING, content)
+            Resource::new(variable, SAMPLER, content)
         }));
         for texels in texels(scene) {
             // A texture that the scene declares and nothing uses is bound to nothing.
             if let Some(variable) = variable(texels.binding) {
                 let content = beside.put(&texels);
-                beside.bindings.push(Binding::new(module, variable, texels.binding, content));
+                beside.resources.push(Resource::new(variable, texels.binding, content));
                 beside.files.extend(texels.files);
             }
         }
@@ -66,15 +66,14 @@ impl Beside {
     }
 }
 
-impl Binding {
-    fn new(module: &Module, variable: &GlobalVariable, number: u32, content: String) -> Self {
-        let (is_sampler, ty) = match module.types[variable.ty].inner {
-            TypeInner::Sampler { .. } => (true, "sampler"),
-            TypeInner::Image { class: ImageClass::Sampled { kind: ScalarKind::Uint, .. }, .. } => {
-                (false, "texture_2d<u32>")
-            }
-            _ => (false, "texture_2d<f32>"),
+impl Resource {
+    fn new(variable: &GlobalVariable, binding: Binding, content: String) -> Self {
+        let ty = match binding.content {
+            Content::Sampler => "sampler",
+            Content::Words => "texture_2d<u32>",
+            Content::Image | Content::Texels => "texture_2d<f32>",
+            Content::Uniform | Content::Storage { .. } => unreachable!("what is a buffer is in no file"),
         };
-        Self { number, is_sampler, ty, name: variable.name.clone().unwrap_or_default(), content }
+        Self { binding, ty, name: variable.name.clone().unwrap_or_default(), content }
     }
 }

@@ -4,8 +4,10 @@
 
 use naga::{ScalarKind, TypeInner, VectorSize};
 
-use super::beside::{Beside, Binding};
+use super::beside::{Beside, Resource};
+use super::native::MSL_SAMPLES;
 use super::standalone::{Standalone, settings};
+use crate::bindings::{Binding, Content, FRAME, SAMPLES};
 use crate::ir::Scene;
 use crate::library::Const;
 use crate::wgsl::{Source, title_of};
@@ -15,43 +17,44 @@ pub struct Dialect {
     /// How raytoy is asked for it.
     option: &'static str,
     host: &'static str,
-    frame: &'static str,
-    samples: &'static str,
-    /// By the numbers of a [`Binding`].
-    texture: fn(u32) -> String,
-    sampler: fn(u32) -> String,
+    /// How each kind of resource is bound.
+    uniform: fn(Binding) -> String,
+    samples: fn(Binding) -> String,
+    texture: fn(Binding) -> String,
+    sampler: fn(Binding) -> String,
 }
 
 pub const WGSL: Dialect = Dialect {
     option: "--standalone",
     host: "any WebGPU program",
-    frame: "@group(0) @binding(0)",
-    samples: "@group(0) @binding(1)",
-    texture: |n| format!("@group(1) @binding({n})"),
-    sampler: |n| format!("@group(1) @binding({n})"),
+    uniform: Binding::attributes,
+    samples: Binding::attributes,
+    texture: Binding::attributes,
+    sampler: Binding::attributes,
 };
 
 pub const MSL: Dialect = Dialect {
     option: "--lang msl",
     host: "any Metal program",
-    frame: "[[buffer(0)]]",
-    samples: "[[texture(0)]]",
-    texture: |n| format!("[[texture({n})]]"),
-    sampler: |n| format!("[[sampler({n})]]"),
+    uniform: |binding| format!("[[buffer({})]]", binding.number),
+    samples: |_| format!("[[texture({MSL_SAMPLES})]]"),
+    texture: |binding| format!("[[texture({})]]", binding.number),
+    sampler: |binding| format!("[[sampler({})]]", binding.number),
 };
 
 pub const HLSL: Dialect = Dialect {
     option: "--lang hlsl",
     host: "any Direct3D program",
-    frame: "register(b0)",
-    samples: "register(t1)",
-    texture: |n| format!("register(t{n}, space1)"),
-    sampler: |n| format!("register(s{n}, space1)"),
+    uniform: |binding| register('b', binding),
+    samples: |binding| register('t', binding),
+    texture: |binding| register('t', binding),
+    sampler: |binding| register('s', binding),
 };
 
 /// The head of a module with the entry points of shaders/standalone.wgsl.
 pub fn standalone(scene: &Scene, alone: &Standalone, dialect: &Dialect) -> String {
-    let Dialect { option, host, frame, samples, .. } = dialect;
+    let Dialect { option, host, .. } = dialect;
+    let (frame, samples) = ((dialect.uniform)(FRAME), (dialect.samples)(SAMPLES));
     let (size, fields) = frame_layout(&alone.module);
     let table: String = fields.iter().map(|field| line(field, &settings(scene))).collect();
     let files = files(&alone.beside, dialect);
@@ -153,17 +156,17 @@ fn line((offset, ty, field): &(u32, &str, &str), settings: &[(&str, Const)]) -> 
 
 /// How to bind what lies beside the module; nothing where nothing does.
 fn files(beside: &Beside, dialect: &Dialect) -> String {
-    if beside.bindings.is_empty() {
+    if beside.resources.is_empty() {
         return String::new();
     }
-    let row = |Binding { number, is_sampler, ty, name, content }: &Binding| {
-        let place = match is_sampler {
-            true => (dialect.sampler)(*number),
-            false => (dialect.texture)(*number),
+    let row = |Resource { binding, ty, name, content }: &Resource| {
+        let place = match binding.content == Content::Sampler {
+            true => (dialect.sampler)(*binding),
+            false => (dialect.texture)(*binding),
         };
         format!("  {place:22}  {ty:15}  {name:12}  {}\n", in_one_line(content))
     };
-    let table: String = beside.bindings.iter().map(row).collect();
+    let table: String = beside.resources.iter().map(row).collect();
     format!(
         "
 Images and models are textures, for the fragment entry too. Their texels are in the file beside this one
@@ -175,6 +178,12 @@ and each level its rows, from the top, without gaps.
 {table}",
         beside.texels.len()
     )
+}
+
+/// A register of HLSL, in the space of its group; space 0 is nowhere written out.
+fn register(kind: char, binding: Binding) -> String {
+    let space = if binding.group == 0 { String::new() } else { format!(", space{}", binding.group) };
+    format!("register({kind}{}{space})", binding.number)
 }
 
 /// The list of objects, shapes and textures that a scene's own section opens with.

@@ -6,9 +6,14 @@ use std::collections::BTreeMap;
 
 use naga::back::{hlsl, msl, spv};
 
+use super::beside::Resource;
 use super::standalone::Standalone;
 use super::{ExportError, head};
+use crate::bindings::{Binding, Content, FRAME, SAMPLER, SAMPLES};
 use crate::ir::Scene;
+
+/// The texture of Metal that shaders/standalone.wgsl has as its samples: those of files begin at 1.
+pub const MSL_SAMPLES: u8 = 0;
 
 /// The text that naga writes for the sampler of shaders/image.wgsl.
 const HEAP: &str = "\
@@ -41,17 +46,17 @@ pub fn spirv(Standalone { module, info, .. }: &Standalone) -> Result<Vec<u8>, Ex
 
 pub fn msl(scene: &Scene, alone: &Standalone) -> Result<String, ExportError> {
     let Standalone { module, info, beside, .. } = alone;
-    let frame = msl::BindTarget { buffer: Some(0), ..Default::default() };
+    let frame = msl::BindTarget { buffer: Some(FRAME.number as u8), ..Default::default() };
     let texture = |slot| msl::BindTarget { texture: Some(slot), ..Default::default() };
     let sampler = |slot| msl::BindTarget {
         sampler: Some(msl::BindSamplerTarget::Resource(slot)),
         ..Default::default()
     };
-    let mut resources = BTreeMap::from([(place(0, 0), frame), (place(0, 1), texture(0))]);
-    // Each has the number that it has in WGSL, where textures begin at 1.
-    resources.extend(beside.bindings.iter().map(|binding| {
+    let mut resources = BTreeMap::from([(place(FRAME), frame), (place(SAMPLES), texture(MSL_SAMPLES))]);
+    // Each has the number that it has in WGSL, where textures of files begin at 1.
+    resources.extend(beside.resources.iter().map(|Resource { binding, .. }| {
         let slot = binding.number as u8;
-        (place(1, binding.number), if binding.is_sampler { sampler(slot) } else { texture(slot) })
+        (place(*binding), if binding.content == Content::Sampler { sampler(slot) } else { texture(slot) })
     }));
     let resources = msl::EntryPointResources { resources, ..Default::default() };
     let entries = module.entry_points.iter().map(|entry| (entry.name.clone(), resources.clone()));
@@ -92,7 +97,7 @@ pub fn hlsl(scene: &Scene, alone: &Standalone) -> Result<String, ExportError> {
 
 /// naga takes samplers out of a heap of 2048, by a buffer of indices: more than a host wants to bind for one.
 fn with_own_sampler(text: String, alone: &Standalone) -> Result<String, ExportError> {
-    if !alone.beside.bindings.iter().any(|binding| binding.is_sampler) {
+    if !alone.beside.resources.iter().any(|resource| resource.binding == SAMPLER) {
         return Ok(text);
     }
     if text.matches(HEAP).count() != 1 {
@@ -101,8 +106,8 @@ fn with_own_sampler(text: String, alone: &Standalone) -> Result<String, ExportEr
     Ok(text.replacen(HEAP, OWN_SAMPLER, 1))
 }
 
-fn place(group: u32, binding: u32) -> naga::ResourceBinding {
-    naga::ResourceBinding { group, binding }
+fn place(binding: Binding) -> naga::ResourceBinding {
+    naga::ResourceBinding { group: binding.group, binding: binding.number }
 }
 
 fn refused(error: impl std::fmt::Display) -> ExportError {

@@ -12,6 +12,6 @@ mod view;
 pub use self::lens::Lens;
 pub use self::moment::Moment;
 pub use self::split::Split;
-pub use self::texels::{MODELS_BINDING, MODELS_ROW, SAMPLER_BINDING, TexelFormat, Texels, texels};
+pub use self::texels::{MODELS_ROW, TexelFormat, Texels, texels};
 pub use self::uniforms::{FrameUniforms, sample_offset};
 pub use self::view::View;

@@ -5,13 +5,10 @@
 use half::f16;
 
 use crate::assets::{Image, Model};
+use crate::bindings::{Binding, MODELS};
 use crate::ir::Scene;
 
-/// As shaders/image.wgsl says: the one sampler of all images.
-pub const SAMPLER_BINDING: u32 = 0;
-
 /// As shaders/model.wgsl says.
-pub const MODELS_BINDING: u32 = 15;
 pub const MODELS_ROW: u32 = 2048;
 
 /// How the bytes of a texel are read; the names are WebGPU's.
@@ -26,7 +23,7 @@ pub enum TexelFormat {
 /// The texels of one texture of bind group 1.
 #[derive(Clone, Debug)]
 pub struct Texels {
-    pub binding: u32,
+    pub binding: Binding,
     pub format: TexelFormat,
     /// Width and height of the first level. Each other one is half as wide and as high as the one before it,
     /// rounded down, but at least 1.
@@ -40,12 +37,12 @@ pub struct Texels {
 /// All textures that the shader of `scene` uses, by their bindings. They are made one after the other, since
 /// they may be large.
 pub fn texels(scene: &Scene) -> impl Iterator<Item = Texels> {
-    let images = (1..).zip(scene.images_in_use());
+    let images = (0..).map(Binding::image).zip(scene.images_in_use());
     let images = images.map(|(binding, index)| of_image(binding, &scene.images[index]));
     images.chain((!scene.models.is_empty()).then(|| of_models(&scene.models)))
 }
 
-fn of_image(binding: u32, image: &Image) -> Texels {
+fn of_image(binding: Binding, image: &Image) -> Texels {
     let half = |x: f32| f16::from_f32(x.min(65504.0));
     let texel = |texel: &glam::Vec4| {
         let mut halves = texel.to_array().map(half);
@@ -75,7 +72,7 @@ fn of_models(models: &[Model]) -> Texels {
     words.resize((rows * MODELS_ROW) as usize, [0; 4]);
     let texel = |words: [u32; 4]| bytemuck::cast::<[u32; 4], [u8; 16]>(words.map(u32::to_le));
     Texels {
-        binding: MODELS_BINDING,
+        binding: MODELS,
         format: TexelFormat::Rgba32Uint,
         size: [MODELS_ROW, rows],
         levels: vec![words.into_iter().map(texel).collect::<Vec<_>>().into_flattened()],

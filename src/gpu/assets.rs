@@ -1,8 +1,10 @@
 //! What a scene takes from files, on the GPU: images and models, all as textures.
 
+use super::layouts::{entry, layout_entry};
 use super::{Gpu, GpuError};
 use crate::assets::Model;
-use crate::frame::{MODELS_ROW, SAMPLER_BINDING, TexelFormat, Texels, texels};
+use crate::bindings::SAMPLER;
+use crate::frame::{MODELS_ROW, TexelFormat, Texels, texels};
 use crate::ir::Scene;
 
 /// Bind group 1 of a scene's shader: a sampler, the images, the models.
@@ -21,25 +23,23 @@ impl Assets {
             return None;
         }
         let sampler = (!scene.images_in_use().is_empty()).then(|| sampler(device));
-        let filtering = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
-        let kinds = sampler.iter().map(|_| (SAMPLER_BINDING, filtering));
-        let kinds = kinds.chain(textures.iter().map(|(binding, texture)| (*binding, kind(texture))));
+        let bindings = sampler.iter().map(|_| SAMPLER).chain(textures.iter().map(|(binding, _)| *binding));
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("assets"),
-            entries: &kinds.map(|(binding, ty)| layout_entry(binding, ty)).collect::<Vec<_>>(),
+            entries: &bindings
+                .map(|binding| layout_entry(binding, 0, wgpu::ShaderStages::all()))
+                .collect::<Vec<_>>(),
         });
         let views: Vec<_> = textures
             .iter()
             .map(|(binding, texture)| (*binding, texture.create_view(&Default::default())))
             .collect();
-        let entry = |(binding, resource)| wgpu::BindGroupEntry { binding, resource };
-        let entries =
-            sampler.iter().map(|sampler| (SAMPLER_BINDING, wgpu::BindingResource::Sampler(sampler)));
-        let views = views.iter().map(|(n, view)| (*n, wgpu::BindingResource::TextureView(view)));
+        let sampler = sampler.iter().map(|sampler| entry(SAMPLER, wgpu::BindingResource::Sampler(sampler)));
+        let views = views.iter().map(|(n, view)| entry(*n, wgpu::BindingResource::TextureView(view)));
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("assets"),
             layout: &layout,
-            entries: &entries.chain(views).map(entry).collect::<Vec<_>>(),
+            entries: &sampler.chain(views).collect::<Vec<_>>(),
         });
         Some(Self { layout, group })
     }
@@ -57,19 +57,6 @@ pub fn check_models(gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
         return Err(GpuError::Refused(why));
     }
     Ok(())
-}
-
-fn layout_entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
-    let visibility = wgpu::ShaderStages::FRAGMENT | wgpu::ShaderStages::COMPUTE;
-    wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None }
-}
-
-fn kind(texture: &wgpu::Texture) -> wgpu::BindingType {
-    wgpu::BindingType::Texture {
-        sample_type: texture.format().sample_type(None, None).expect("each format of texels has one"),
-        view_dimension: wgpu::TextureViewDimension::D2,
-        multisampled: false,
-    }
 }
 
 fn sampler(device: &wgpu::Device) -> wgpu::Sampler {

@@ -6,13 +6,17 @@
 use bytemuck::{AnyBitPattern, NoUninit};
 
 use super::assets::Assets;
+use super::layouts::{self, layout_entry};
 use super::{Gpu, GpuError};
+use crate::bindings::Binding;
 
-/// A compute pipeline with questions at binding 0 of group 2 and answers at binding 1.
+/// A compute pipeline with questions and answers in group 2.
 #[derive(Debug)]
 pub(super) struct Kernel {
     pipeline: wgpu::ComputePipeline,
     layout: wgpu::BindGroupLayout,
+    /// Questions and answers.
+    lists: [Binding; 2],
 }
 
 /// What all of a scene's shaders share.
@@ -41,27 +45,19 @@ impl Kernel {
         Err(GpuError::Refused("it has no compute shaders".into()))
     }
 
-    /// `entry` of `module`, whose groups 0 and 1 have the layouts `scene`.
+    /// `entry` of `module`, whose groups 0 and 1 have the layouts `scene`; `lists` are its questions and
+    /// answers.
     pub fn new(
         gpu: &Gpu,
         module: &wgpu::ShaderModule,
         scene: [Option<&wgpu::BindGroupLayout>; 2],
         entry: &str,
+        lists: [Binding; 2],
     ) -> Self {
         let device = &gpu.device;
-        let list = |binding, read_only| wgpu::BindGroupLayoutEntry {
-            binding,
-            visibility: wgpu::ShaderStages::COMPUTE,
-            ty: wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Storage { read_only },
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
-            count: None,
-        };
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some(entry),
-            entries: &[list(0, true), list(1, false)],
+            entries: &lists.map(|list| layout_entry(list, 0, wgpu::ShaderStages::COMPUTE)),
         });
         let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(entry),
@@ -76,7 +72,7 @@ impl Kernel {
             compilation_options: Default::default(),
             cache: None,
         });
-        Self { pipeline, layout }
+        Self { pipeline, layout, lists }
     }
 
     /// The answers to `items`, one for each; `question` and `answer` know the shader's structs.
@@ -120,8 +116,8 @@ impl Kernel {
                 label: Some("questions and answers"),
                 layout: &self.layout,
                 entries: &[
-                    wgpu::BindGroupEntry { binding: 0, resource: part(&asked, size_of_val(&*questions)) },
-                    wgpu::BindGroupEntry { binding: 1, resource: part(&told, bytes as usize) },
+                    layouts::entry(self.lists[0], part(&asked, size_of_val(&*questions))),
+                    layouts::entry(self.lists[1], part(&told, bytes as usize)),
                 ],
             });
             let mut encoder = gpu.device.create_command_encoder(&Default::default());

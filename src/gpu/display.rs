@@ -4,8 +4,10 @@ use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 
-use super::pipeline::{uniform_buffer, uniform_entry};
+use super::layouts::{entry, layout_entry};
+use super::pipeline::uniform_buffer;
 use super::{Gpu, GpuError};
+use crate::bindings::{DISPLAY, PICTURE};
 use crate::ir;
 use crate::library::built_in;
 
@@ -58,10 +60,13 @@ impl Display {
             label: Some("shaders/display.wgsl"),
             source: wgpu::ShaderSource::Wgsl(text.into()),
         });
-        let uniform = uniform_entry(0, size_of::<Options>() as u64, wgpu::ShaderStages::FRAGMENT);
+        let stages = wgpu::ShaderStages::VERTEX_FRAGMENT;
         let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("display"),
-            entries: &[uniform, texture_entry(1)],
+            entries: &[
+                layout_entry(DISPLAY, size_of::<Options>() as u64, stages),
+                layout_entry(PICTURE, 0, stages),
+            ],
         });
         let pipelines = ["showLight", "showValue"].map(|fragment| {
             full_screen_pipeline(&gpu.device, &module, &[Some(&layout)], ["coverTarget", fragment], format)
@@ -104,8 +109,8 @@ impl Display {
             label: Some("display"),
             layout: &self.layout,
             entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: self.options.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&picture) },
+                entry(DISPLAY, self.options.as_entire_binding()),
+                entry(PICTURE, wgpu::BindingResource::TextureView(&picture)),
             ],
         });
         let mut encoder = device.create_command_encoder(&Default::default());
@@ -150,20 +155,6 @@ impl Display {
     /// The four bytes of each pixel of `canvas`, by rows from the top.
     pub fn read(&self, canvas: &wgpu::Texture) -> Result<Vec<u8>, GpuError> {
         self.gpu.read_texture(canvas, 4)
-    }
-}
-
-/// A texture that shaders read texel by texel.
-pub(super) fn texture_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
-        ty: wgpu::BindingType::Texture {
-            sample_type: wgpu::TextureSampleType::Float { filterable: false },
-            view_dimension: wgpu::TextureViewDimension::D2,
-            multisampled: false,
-        },
-        count: None,
     }
 }
 

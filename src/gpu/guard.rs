@@ -4,7 +4,9 @@
 
 use std::sync::Arc;
 
+use super::layouts::{entry, layout_entry};
 use super::{Gpu, GpuError};
+use crate::bindings::ENDED_LOOP;
 use crate::compile::Compiled;
 use crate::diagnostic::Report;
 
@@ -15,8 +17,6 @@ pub(super) struct Guard {
     loops: Arc<[Report]>,
 }
 
-/// As shaders/guard.wgsl says.
-const BINDING: u32 = 3;
 const NUMBER_BYTES: u64 = 4;
 
 impl Guard {
@@ -48,18 +48,13 @@ impl Guard {
         Some(Self { ended, loops })
     }
 
-    /// Its place in bind group 0 of a shader that runs in `visibility`.
+    /// Its place in the layout of bind group 0, for a shader that runs in `visibility`.
     pub fn layout(visibility: wgpu::ShaderStages) -> wgpu::BindGroupLayoutEntry {
-        let ty = wgpu::BindingType::Buffer {
-            ty: wgpu::BufferBindingType::Storage { read_only: false },
-            has_dynamic_offset: false,
-            min_binding_size: wgpu::BufferSize::new(NUMBER_BYTES),
-        };
-        wgpu::BindGroupLayoutEntry { binding: BINDING, visibility, ty, count: None }
+        layout_entry(ENDED_LOOP, NUMBER_BYTES, visibility)
     }
 
     pub fn entry(&self) -> wgpu::BindGroupEntry<'_> {
-        wgpu::BindGroupEntry { binding: BINDING, resource: self.ended.as_entire_binding() }
+        entry(ENDED_LOOP, self.ended.as_entire_binding())
     }
 
     /// Waits until all submitted work is done. Another draw with other numbers may be better.

@@ -11,8 +11,10 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 
-use super::pipeline::{uniform_buffer, uniform_entry};
+use super::layouts::{entry, layout_entry};
+use super::pipeline::uniform_buffer;
 use super::{Gpu, Target};
+use crate::bindings::{OVER, PICTURE};
 use crate::frame::Lens;
 use crate::ir::Camera;
 use crate::library::built_in;
@@ -69,10 +71,13 @@ impl Lines {
             label: Some("shaders/lines.wgsl"),
             source: wgpu::ShaderSource::Wgsl(text.into()),
         });
-        let uniform = uniform_entry(0, size_of::<Options>() as u64, wgpu::ShaderStages::VERTEX_FRAGMENT);
+        let stages = wgpu::ShaderStages::VERTEX_FRAGMENT;
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("lines"),
-            entries: &[uniform, super::display::texture_entry(1)],
+            entries: &[
+                layout_entry(OVER, size_of::<Options>() as u64, stages),
+                layout_entry(PICTURE, 0, stages),
+            ],
         });
         let pipeline = line_pipeline(device, &module, &layout, format);
         let options = uniform_buffer(gpu, "lines", size_of::<Options>() as u64);
@@ -111,8 +116,8 @@ impl Lines {
             label: Some("lines"),
             layout: &self.layout,
             entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: self.options.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&picture) },
+                entry(OVER, self.options.as_entire_binding()),
+                entry(PICTURE, wgpu::BindingResource::TextureView(&picture)),
             ],
         });
         let mut encoder = device.create_command_encoder(&Default::default());

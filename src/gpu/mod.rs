@@ -13,6 +13,7 @@ pub mod gizmo;
 mod guard;
 mod identity;
 mod image;
+mod layouts;
 mod lines;
 mod pace;
 pub mod parts;

@@ -5,7 +5,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::assets::{Assets, check_models};
 use super::guard::Guard;
+use super::layouts::layout_entry;
 use super::{Gpu, GpuError};
+use crate::bindings::{ACCUMULATED, CORNER, FRAME, NUMBERS};
 use crate::compile::Compiled;
 use crate::frame::FrameUniforms;
 use crate::wgsl::Mode;
@@ -135,32 +137,17 @@ pub(super) fn uniform_buffer(gpu: &Gpu, label: &str, size: u64) -> wgpu::Buffer 
     })
 }
 
-pub(super) fn uniform_entry(
-    binding: u32,
-    size: u64,
-    visibility: wgpu::ShaderStages,
-) -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility,
-        ty: wgpu::BindingType::Buffer {
-            ty: wgpu::BufferBindingType::Uniform,
-            has_dynamic_offset: false,
-            min_binding_size: wgpu::BufferSize::new(size),
-        },
-        count: None,
-    }
-}
-
 fn make(gpu: &Gpu, compiled: &Compiled) -> Pipeline {
     let device = &gpu.device;
     let module = shader_module(gpu, compiled);
     let stage = wgpu::ShaderStages::FRAGMENT;
-    let frame = uniform_entry(0, size_of::<FrameUniforms>() as u64, stage);
     let numbers = numbers_buffer(gpu, compiled);
-    let corner = uniform_entry(4, size_of::<[f32; 2]>() as u64, stage);
-    let mut entries = vec![frame, super::display::texture_entry(1), corner];
-    entries.extend(numbers.iter().map(|n| uniform_entry(2, n.size(), stage)));
+    let mut entries = vec![
+        layout_entry(FRAME, size_of::<FrameUniforms>() as u64, stage),
+        layout_entry(ACCUMULATED, 0, stage),
+        layout_entry(CORNER, size_of::<[f32; 2]>() as u64, stage),
+    ];
+    entries.extend(numbers.iter().map(|numbers| layout_entry(NUMBERS, numbers.size(), stage)));
     let guard = Guard::new(gpu, compiled);
     entries.extend(guard.iter().map(|_| Guard::layout(stage)));
     let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {

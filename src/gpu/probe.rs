@@ -9,8 +9,10 @@ use glam::{Vec2, Vec3};
 use super::assets::{Assets, check_models};
 use super::batches::{Kernel, Scene};
 use super::guard::Guard;
+use super::layouts::{entry, layout_entry};
 use super::pipeline::{self, checked};
 use super::{Gpu, GpuError};
+use crate::bindings::{FRAME, NUMBERS, PROBE_CROSSINGS, PROBE_LOOKS, PROBE_POINTS, PROBE_RAYS};
 use crate::compile::Compiled;
 use crate::frame::{FrameUniforms, Moment};
 
@@ -89,9 +91,9 @@ impl Probe {
             let device = &gpu.device;
             let module = pipeline::shader_module(gpu, &probed);
             let stage = wgpu::ShaderStages::COMPUTE;
-            let mut entries = vec![pipeline::uniform_entry(0, size_of::<FrameUniforms>() as u64, stage)];
+            let mut entries = vec![layout_entry(FRAME, size_of::<FrameUniforms>() as u64, stage)];
             let numbers = pipeline::numbers_buffer(gpu, compiled);
-            entries.extend(numbers.iter().map(|n| pipeline::uniform_entry(2, n.size(), stage)));
+            entries.extend(numbers.iter().map(|numbers| layout_entry(NUMBERS, numbers.size(), stage)));
             let guard = Guard::new(gpu, &probed);
             entries.extend(guard.iter().map(|_| Guard::layout(stage)));
             let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -100,10 +102,10 @@ impl Probe {
             });
             let frame_buffer = pipeline::uniform_buffer(gpu, "frame", size_of::<FrameUniforms>() as u64);
             gpu.queue.write_buffer(&frame_buffer, 0, bytemuck::bytes_of(&frame));
-            let bound = [(0, Some(&frame_buffer)), (2, numbers.as_ref())];
-            let bound = bound.into_iter().filter_map(|(binding, buffer)| {
-                Some(wgpu::BindGroupEntry { binding, resource: buffer?.as_entire_binding() })
-            });
+            let bound = [(FRAME, Some(&frame_buffer)), (NUMBERS, numbers.as_ref())];
+            let bound = bound
+                .into_iter()
+                .filter_map(|(binding, buffer)| Some(entry(binding, buffer?.as_entire_binding())));
             let bound = bound.chain(guard.iter().map(Guard::entry));
             let values = device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("probe"),
@@ -112,8 +114,9 @@ impl Probe {
             });
             let assets = Assets::new(gpu, &compiled.scene);
             let layouts = [Some(&layout), assets.as_ref().map(|assets| &assets.layout)];
-            let kernel = |entry| Kernel::new(gpu, &module, layouts, entry);
-            let (materials, rays) = (kernel("probeMaterials"), kernel("probeRays"));
+            let kernel = |name, lists| Kernel::new(gpu, &module, layouts, name, lists);
+            let materials = kernel("probeMaterials", [PROBE_POINTS, PROBE_LOOKS]);
+            let rays = kernel("probeRays", [PROBE_RAYS, PROBE_CROSSINGS]);
             let scene = Scene { values, assets };
             Self { gpu: gpu.clone(), materials, rays, scene, numbers, guard }
         })

@@ -1,8 +1,10 @@
 //! A picture that gathers samples, drawn in slices so that no submit keeps the GPU for long.
 
 use super::guard::Guard;
+use super::layouts::entry;
 use super::pipeline::{FORMAT, uniform_buffer};
 use super::{Gpu, GpuError, Pipeline, Region};
+use crate::bindings::{ACCUMULATED, CORNER, FRAME, NUMBERS};
 use crate::frame::{FrameUniforms, Moment};
 use crate::ir;
 
@@ -93,13 +95,11 @@ impl Tracer {
         let (before, target) =
             (self.picture().create_view(&Default::default()), target.create_view(&Default::default()));
         let mut entries = vec![
-            wgpu::BindGroupEntry { binding: 0, resource: self.frame.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&before) },
-            wgpu::BindGroupEntry { binding: 4, resource: self.corner.as_entire_binding() },
+            entry(FRAME, self.frame.as_entire_binding()),
+            entry(ACCUMULATED, wgpu::BindingResource::TextureView(&before)),
+            entry(CORNER, self.corner.as_entire_binding()),
         ];
-        if let Some(numbers) = &pipeline.numbers {
-            entries.push(wgpu::BindGroupEntry { binding: 2, resource: numbers.as_entire_binding() });
-        }
+        entries.extend(pipeline.numbers.iter().map(|numbers| entry(NUMBERS, numbers.as_entire_binding())));
         entries.extend(pipeline.guard.iter().map(Guard::entry));
         let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("scene"),

@@ -3,7 +3,8 @@
 use raytoy_vm as vm;
 
 use crate::assets;
-use crate::frame::{MODELS_BINDING, MODELS_ROW};
+use crate::bindings::MODELS;
+use crate::frame::MODELS_ROW;
 use crate::ir::Scene;
 
 /// What a scene takes from files.
@@ -31,7 +32,7 @@ impl Images {
             self.colors.iter().map(|image| vm::Image::Colors(image.levels.iter().map(level).collect())),
         );
         if !self.texels.is_empty() {
-            images.resize_with(MODELS_BINDING as usize, || vm::Image::Empty);
+            images.resize_with(MODELS.number as usize, || vm::Image::Empty);
             images.push(vm::Image::Words { width: MODELS_ROW, texels: &self.texels });
         }
         images

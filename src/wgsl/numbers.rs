@@ -2,6 +2,7 @@
 
 use super::Mode;
 use super::code::{Code, CodeLines};
+use crate::bindings::NUMBERS;
 use crate::library::{Const, Type};
 
 /// The numbers of one scene, in the order in which they are written.
@@ -36,10 +37,11 @@ impl Numbers {
         if self.mode == Mode::Live {
             let fours = self.data.len().div_ceil(4).max(1);
             lines.push("");
-            lines.push(format!("@group(0) @binding(2) var<uniform> scene: array<vec4f, {fours}>;"));
+            let (attributes, name) = (NUMBERS.attributes(), NUMBERS.name);
+            lines.push(format!("{attributes} var<uniform> {name}: array<vec4f, {fours}>;"));
             lines.push("");
             lines.push("fn live(i: u32) -> vec4f {");
-            lines.push("    return scene[i] + f32(zero);");
+            lines.push(format!("    return {name}[i] + f32(zero);"));
             lines.push("}");
         }
         lines

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::Writer;
 use super::code::{self, Code, CodeLines};
 use super::sharing::{Sharing, called};
+use crate::bindings::{Binding, IMAGES};
 use crate::ir::points::Point;
 use crate::ir::{Call, Fit, ImageTexture, Interpolation, Measure, Ramp, Scene, Triplanar, Value};
 use crate::library::{Const, Type};
@@ -185,7 +186,8 @@ impl Writer<'_> {
         for (i, index) in self.images_in_use.iter().enumerate() {
             lines.push("");
             lines.push(code::one_line(&format!("/// {}", self.scene.images[*index].file)));
-            lines.push(format!("@group(1) @binding({}) var image{i}: texture_2d<f32>;", i + 1));
+            let (attributes, name) = (Binding::image(i as u32).attributes(), IMAGES.name);
+            lines.push(format!("{attributes} var {name}{i}: texture_2d<f32>;"));
         }
         lines
     }

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use image::{Rgb, RgbImage};
 use raytoy::Compiled;
+use raytoy::bindings::MODELS;
 use raytoy::diagnostic::Report;
-use raytoy::frame::{MODELS_BINDING, texels};
+use raytoy::frame::texels;
 use raytoy::ir::Measure;
 use raytoy::sources::Sources;
 use raytoy::wgsl::Mode;
@@ -28,9 +29,9 @@ fn compiled(scene: &str, images: u32) -> (TempDir, Result<Compiled, Report>) {
 /// What is uploaded: the binding, the height of the image, and whether it is a number.
 fn uploaded(compiled: &Compiled) -> Vec<(u32, u32, bool)> {
     texels(&compiled.scene)
-        .filter(|texels| texels.binding != MODELS_BINDING)
+        .filter(|texels| texels.binding != MODELS)
         // A number has the rest of its digits in green, and nothing in blue.
-        .map(|texels| (texels.binding, texels.size[1], texels.levels[0][4..6] == [0, 0]))
+        .map(|texels| (texels.binding.number, texels.size[1], texels.levels[0][4..6] == [0, 0]))
         .collect()
 }
 

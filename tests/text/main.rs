@@ -5,6 +5,7 @@ mod common;
 #[path = "../common/models/mod.rs"]
 mod shared_models;
 
+mod bindings;
 mod broken_scenes;
 mod changes;
 mod circles;
