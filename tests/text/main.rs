@@ -21,6 +21,7 @@ mod golden;
 mod history;
 mod images_in_use;
 mod integers;
+mod interface;
 mod judge;
 mod models;
 mod naming;
