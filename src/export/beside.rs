@@ -8,6 +8,9 @@ use crate::bindings::{Binding, Content, SAMPLER};
 use crate::frame::{Texels, texels};
 use crate::ir::Scene;
 
+/// The texture of Metal that shaders/standalone.wgsl has as its samples: those of files begin at 1.
+pub const MSL_SAMPLES: u8 = 0;
+
 /// A file of texels, and what a host binds them to.
 #[derive(Default)]
 pub struct Beside {

@@ -4,8 +4,7 @@
 
 use naga::{ScalarKind, TypeInner, VectorSize};
 
-use super::beside::{Beside, Resource};
-use super::native::MSL_SAMPLES;
+use super::beside::{Beside, MSL_SAMPLES, Resource};
 use super::standalone::{Standalone, settings};
 use crate::bindings::{Binding, Content, FRAME, SAMPLES};
 use crate::ir::Scene;

@@ -6,14 +6,11 @@ use std::collections::BTreeMap;
 
 use naga::back::{hlsl, msl, spv};
 
-use super::beside::Resource;
+use super::beside::{MSL_SAMPLES, Resource};
 use super::standalone::Standalone;
 use super::{ExportError, head};
 use crate::bindings::{Binding, Content, FRAME, SAMPLER, SAMPLES};
 use crate::ir::Scene;
-
-/// The texture of Metal that shaders/standalone.wgsl has as its samples: those of files begin at 1.
-pub const MSL_SAMPLES: u8 = 0;
 
 /// The text that naga writes for the sampler of shaders/image.wgsl.
 const HEAP: &str = "\
