@@ -7,6 +7,8 @@ use crate::engine::messages::{EngineEvent, Slow};
 
 /// A sample that takes longer is called slow.
 const LONG: Duration = Duration::from_secs(60);
+/// The first slices of a sample on a busy machine say little about the rest.
+const EVIDENCE: Duration = Duration::from_secs(10);
 /// The time from one word of it to the next.
 const PAUSE: Duration = Duration::from_millis(500);
 /// A first sample of which, after so long, still so much is left, gives way to one that is coarser, down to
@@ -35,7 +37,8 @@ impl Painter {
     }
 
     fn slowness(&self) -> Option<Slow> {
-        if self.is_done() {
+        let is_early = self.slow.is_none() && self.sample_started.elapsed() < EVIDENCE;
+        if self.is_done() || is_early {
             return None;
         }
         let [width, height] = self.look.size;
