@@ -42,9 +42,9 @@ fn copied(studio: &mut Studio, offer: &str) -> String {
 fn the_shader_is_that_of_the_version_that_is_shown() {
     let mut studio = opened();
     assert!(studio.says("fn rayTraceScene(ray: Ray) -> Hit {") && !studio.says("torus(ray"));
-    assert!(studio.says("vec3f(0.0), 1.0), OBJECT_BALL);"));
+    assert!(studio.says("return sphere(ray, vec3f(0.0), 1.0);"));
     studio.save(&SCENE.replace("radius: 1 /*", "radius: 1.25 /*"));
-    assert!(studio.says("vec3f(0.0), 1.25), OBJECT_BALL);"));
+    assert!(studio.says("return sphere(ray, vec3f(0.0), 1.25);"));
 }
 
 #[test]
@@ -55,7 +55,10 @@ fn what_changed_is_told_line_by_line_unless_it_is_numbers() {
     studio.save(&SCENE.replace("radius: 1 /*", "radius: 1.25 /*"));
     assert!(studio.says("Only numbers have changed since the scene was opened."));
     studio.save(&SCENE.replace("objects: [", "objects: [Torus(name: \"ring\"), "));
-    assert!(studio.says(" lines removed, ") && studio.says("+     hit = nearer(hit, torus(ray"));
+    assert!(
+        studio.says(" lines removed, ")
+            && studio.says("+     hit = nearer(hit, ringCrossing(ray), OBJECT_RING);")
+    );
     assert!(!studio.says("fn lightAt("), "what stays is left out");
     studio.press("What changed");
     assert!(studio.says("fn sceneBlocks(ray: Ray) -> bool {"));
